@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/angles.hpp"
+#include "core/base/time.hpp"
+
+namespace echotrail {
+
+/// Where the vehicle was and which way it faced, in the local frame: origin where it was at the first ping,
+/// north and east in metres, down positive. Without navigation it is the identity: the vehicle stands still and
+/// north is the bow.
+struct Pose {
+    double north_m = 0.0;
+    double east_m = 0.0;
+    Bearing heading;  ///< from north
+    bool operator==(const Pose&) const = default;
+};
+
+struct TimedPose {
+    Timestamp time{};
+    Pose pose;
+};
+
+/// Poses over time, with linear interpolation (the heading the short way round).
+/// Order: samples in time order; an older or equal one is refused and counted.
+/// State: empty means "no navigation", and every pose is then the identity.
+class PoseHistory {
+public:
+    void add(const TimedPose& sample);
+    bool empty() const { return samples_.empty(); }
+    std::size_t refused() const { return refused_; }
+
+    /// The pose at `time`. Before the first and after the last sample the nearest one holds; empty if the nearest
+    /// samples are further apart than `max_gap_s` from `time` (a navigation gap). Identity when there is no navigation.
+    std::optional<Pose> at(Timestamp time, double max_gap_s) const;
+
+private:
+    std::vector<TimedPose> samples_;
+    std::size_t refused_ = 0;
+};
+
+}  // namespace echotrail

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/angles.hpp"
+#include "core/base/time.hpp"
+
+namespace echotrail {
+
+/// What sets a region apart besides its place (method card, sections d and e).
+struct RegionFeatures {
+    double area_m2 = 0.0;
+    double moment = 0.0;        ///< m* = log10(M2 + 1e-3), M2 Hu's second invariant of the region's mask
+    double along_range_m = 0.0; ///< 4 times the deviation of the mask along the line of sight
+    double across_range_m = 0.0;///< the same across it
+};
+
+/// A connected patch of the fan that stands out from its background.
+struct Region {
+    std::uint32_t id = 0;              ///< counts from 1 within a run
+    Timestamp time{};                  ///< when the beam was on it (level-weighted mean)
+    Eigen::Vector2d position_m{0, 0};  ///< level-weighted centroid, north and east in the local frame
+    double range_m = 0.0;              ///< from the head at `time`
+    Bearing bearing;                   ///< from the bow at `time`
+    RegionFeatures features;
+    double peak_db = 0.0;
+    double mean_db = 0.0;
+    double contrast_db = 0.0;          ///< peak excess over the background
+    int pixels = 0;
+    int beam_hits = 0;                 ///< pings that met it
+    double clipped_fraction = 0.0;     ///< of its pixels at full scale
+    bool clutter_mass = false;         ///< larger than any target: a bank, the bottom, a wall
+    bool multipath = false;            ///< looks like the echo of a stronger region behind it
+    std::vector<Eigen::Vector2f> outline_m;  ///< contour, north and east
+};
+
+}  // namespace echotrail

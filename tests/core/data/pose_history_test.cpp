@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+
+#include "core/data/pose.hpp"
+
+namespace echotrail {
+namespace {
+
+Timestamp at(double seconds) { return Timestamp(microsecondsFromSeconds(seconds)); }
+
+TEST(PoseHistory, WithoutNavigationEveryPoseIsTheIdentity) {
+    EXPECT_EQ(PoseHistory().at(at(5), 0.3), Pose{});
+}
+
+TEST(PoseHistory, InterpolatesAndTurnsTheShortWayRound) {
+    PoseHistory history;
+    history.add({at(0), {0, 0, Bearing::degrees(350)}});
+    history.add({at(1), {2, -4, Bearing::degrees(10)}});
+    const auto pose = history.at(at(0.25), 1.0);
+    ASSERT_TRUE(pose);
+    EXPECT_NEAR(pose->north_m, 0.5, 1e-9);
+    EXPECT_NEAR(pose->east_m, -1.0, 1e-9);
+    EXPECT_NEAR(pose->heading.inDegrees(), -5.0, 1e-9);
+}
+
+TEST(PoseHistory, SaysThereIsAGapRatherThanGuessing) {
+    PoseHistory history;
+    history.add({at(0), {}});
+    history.add({at(10), {}});
+    EXPECT_TRUE(history.at(at(0.2), 0.3));
+    EXPECT_FALSE(history.at(at(5), 0.3));
+    EXPECT_FALSE(history.at(at(11), 0.3));
+    EXPECT_FALSE(history.at(at(-1), 0.3));
+}
+
+TEST(PoseHistory, RefusesSamplesOutOfOrder) {
+    PoseHistory history;
+    history.add({at(1), {1, 0, {}}});
+    history.add({at(0.5), {9, 0, {}}});
+    history.add({at(1), {9, 0, {}}});
+    EXPECT_EQ(history.refused(), 2u);
+    EXPECT_EQ(history.at(at(1), 0.3)->north_m, 1.0);
+}
+
+}  // namespace
+}  // namespace echotrail
