@@ -1,26 +1,26 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "core/data/fan_image.hpp"
 #include "core/data/ping.hpp"
 #include "core/data/source.hpp"
 #include "core/data/update.hpp"
 
+#include <cstdint>
+#include <vector>
+
 namespace echotrail {
 
 /// Everything the eye needs at one moment, copied from the pipeline at the display's pace: a picture may be skipped.
 struct Scene {
-    std::uint64_t position = 0;      ///< pings taken in so far
-    Update latest;                   ///< what the last ping brought about
-    Ping ping;                       ///< the last echo line
-    FanImage fan;                    ///< own copy
-    FanImage enhanced;               ///< local enhancement of `fan`; empty unless asked for
-    std::vector<Region> regions;     ///< of the last full turn of the beam
+    std::uint64_t position = 0;   ///< pings taken in so far
+    Update latest;                ///< what the last ping brought about
+    Ping ping;                    ///< the last echo line
+    FanImage fan;                 ///< own copy
+    FanImage enhanced;            ///< local enhancement of `fan`; empty unless asked for
+    std::vector<Region> regions;  ///< of the last full turn of the beam
     std::vector<Track> tracks;
-    double sweep_s = 0.0;            ///< duration of the last whole sweep; 0 before there was one
-    Bearing sector_left;             ///< bearings from the bow reached by the last sweep
+    double sweep_s = 0.0;  ///< duration of the last whole sweep; 0 before there was one
+    Bearing sector_left;   ///< bearings from the bow reached by the last sweep
     Bearing sector_right;
     SourceCounts counts;
     double microseconds_per_ping = 0.0;  ///< processor time of the pipeline, recent mean

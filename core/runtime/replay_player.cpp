@@ -1,0 +1,162 @@
+#include "core/runtime/replay_player.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace echotrail {
+namespace {
+
+// How much is done before the owner may change its mind: some milliseconds' worth each.
+constexpr int pings_read_per_slice = 2000;
+constexpr int pings_analysed_per_slice = 64;
+
+double processorSeconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+ReplayPlayer::ReplayPlayer(std::unique_ptr<PingSource> source, const Params& params, std::uint64_t seed)
+    : source_(std::move(source)), params_(params), seed_(seed) {
+    source_->rewind();
+    restart();
+}
+
+bool ReplayPlayer::scan() {
+    if (timeline_.ping_times) return true;
+    for (int i = 0; i < pings_read_per_slice; ++i) {
+        const auto ping = read();
+        if (!ping) {
+            timeline_.gaps = findGaps(scanned_times_);
+            timeline_.ping_times = std::make_shared<const std::vector<Timestamp>>(scanned_times_);
+            counts_ = source_->counts();
+            return true;
+        }
+        scanned_times_.push_back(ping->time);
+    }
+    return false;
+}
+
+std::optional<Ping> ReplayPlayer::read() {
+    auto ping = source_->next();
+    if (ping) ++source_index_;
+    return ping;
+}
+
+Ping ReplayPlayer::readKnown() {
+    auto ping = read();
+    if (!ping) throw std::runtime_error("the recording has become shorter since it was opened");
+    return std::move(*ping);
+}
+
+bool ReplayPlayer::windTo(std::uint64_t index) {
+    if (source_index_ > index) {
+        source_->rewind();
+        source_index_ = 0;
+    }
+    for (int i = 0; i < pings_read_per_slice && source_index_ < index; ++i) readKnown();
+    return source_index_ == index;
+}
+
+bool ReplayPlayer::analyse() {
+    if (timeline_.revision == revision_ && timeline_.analysed == size()) return true;
+    if (!analysis_) {
+        analysis_.emplace();
+        analysis_->pipeline = std::make_unique<ScanningSonarPipeline>(params_, seed_);
+        analysis_->pipeline->setFanPainting(false);
+        analysis_->timeline = timeline_;
+        analysis_->timeline.sweep_starts.clear();
+        analysis_->timeline.confirmed.clear();
+        analysis_->timeline.analysed = 0;
+        analysis_->timeline.revision = revision_;
+    }
+    Timeline& found = analysis_->timeline;
+    if (!windTo(found.analysed)) return false;
+    for (int i = 0; i < pings_analysed_per_slice && found.analysed < size(); ++i) {
+        const Update& update = analysis_->pipeline->process(readKnown(), source_->navigation());
+        extendTimeline(found, found.analysed, update, analysis_->pipeline->tracks());
+    }
+    if (found.analysed < size()) return false;
+    timeline_ = std::move(found);
+    analysis_.reset();
+    return true;
+}
+
+bool ReplayPlayer::advance() {
+    if (at_end_) return false;
+    if (position_ == size()) {
+        latest_ = pipeline_->finish();
+        builder_->addFinal(latest_);
+        at_end_ = true;
+        return true;
+    }
+    if (!windTo(position_)) return false;
+    ping_ = readKnown();
+    const double before = processorSeconds();
+    latest_ = pipeline_->process(ping_, source_->navigation());
+    builder_->add(ping_, latest_, processorSeconds() - before);
+    ++position_;
+    applyDesignationsHere();
+    return true;
+}
+
+void ReplayPlayer::restart() {
+    pipeline_ = std::make_unique<ScanningSonarPipeline>(params_, seed_);
+    builder_.emplace();
+    ping_ = {};
+    latest_ = {};
+    position_ = 0;
+    at_end_ = false;
+    applyDesignationsHere();
+}
+
+void ReplayPlayer::setParams(const Params& params, std::uint64_t revision) {
+    params_ = params;
+    revision_ = revision;
+    analysis_.reset();
+    pipeline_->setParams(params);
+}
+
+void ReplayPlayer::designate(double range_m, Bearing from_bow) { remember({position_, true, range_m, from_bow}); }
+
+void ReplayPlayer::clearDesignation() { remember({position_, false, 0.0, {}}); }
+
+void ReplayPlayer::remember(const Designation& designation) {
+    // A new wish replaces those made further on in an earlier run: they would surprise the operator now.
+    std::erase_if(designations_, [&](const Designation& old) { return old.position >= designation.position; });
+    designations_.push_back(designation);
+    apply(designation);
+}
+
+void ReplayPlayer::apply(const Designation& designation) {
+    if (designation.wanted)
+        pipeline_->designate(designation.range_m, designation.from_bow);
+    else
+        pipeline_->clearDesignation();
+}
+
+void ReplayPlayer::applyDesignationsHere() {
+    for (const Designation& designation : designations_)
+        if (designation.position == position_) apply(designation);
+}
+
+bool ReplayPlayer::designated() const {
+    bool wanted = false;
+    for (const Designation& designation : designations_)
+        if (designation.position <= position_) wanted = designation.wanted;
+    return wanted;
+}
+
+Scene ReplayPlayer::scene() const {
+    Scene scene = builder_->build(*pipeline_, ping_, latest_);
+    scene.position = position_;
+    scene.counts = counts_;
+    scene.at_end = at_end_;
+    return scene;
+}
+
+}  // namespace echotrail

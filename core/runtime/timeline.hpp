@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/base/time.hpp"
+#include "core/pipelines/scanning_sonar_pipeline.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace echotrail {
+
+/// Pings [begin, end) by index.
+struct PingSpan {
+    std::uint64_t begin = 0;
+    std::uint64_t end = 0;
+    bool operator==(const PingSpan&) const = default;
+};
+
+/// A recording at a glance, for a seek bar. Times are known from the start; the rest up to `analysed`.
+struct Timeline {
+    std::shared_ptr<const std::vector<Timestamp>> ping_times;  ///< of every ping, by index
+    std::vector<PingSpan> gaps;               ///< begin: the last ping before a silence; end: the first after it
+    std::vector<std::uint64_t> sweep_starts;  ///< indices of pings that began a new sweep
+    std::vector<PingSpan> confirmed;          ///< while at least one track was confirmed or coasting
+    std::uint64_t analysed = 0;               ///< pings run through the pipeline for this summary
+    std::uint64_t revision = 0;               ///< of the parameters it was made with
+
+    std::uint64_t pings() const { return ping_times ? ping_times->size() : 0; }
+    /// The number of pings transmitted up to `time`: the position that shows that moment.
+    std::uint64_t positionAt(Timestamp time) const;
+    /// The position right after the first ping of the sweep before, or after, the one shown at `position`.
+    std::uint64_t sweepBefore(std::uint64_t position) const;
+    std::uint64_t sweepAfter(std::uint64_t position) const;
+};
+
+/// Silences between pings: longer than a second and than ten times the median interval.
+std::vector<PingSpan> findGaps(const std::vector<Timestamp>& times);
+
+/// Notes in `timeline` what the ping with this index brought about.
+void extendTimeline(Timeline& timeline, std::uint64_t index, const Update& update, const std::vector<Track>& tracks);
+
+}  // namespace echotrail
