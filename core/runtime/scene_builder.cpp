@@ -16,7 +16,7 @@ void SceneBuilder::takeEdges(double step_rad) {
     // Half a step of tolerance: rounding must not open a slit in a full circle.
     if (most_rad_ - least_rad_ + 1.5 * step_rad >= full_circle_rad) {
         left_ = Bearing::radians(-std::numbers::pi);
-        right_ = Bearing::radians(std::nextafter(std::numbers::pi, 0.0));
+        right_ = Bearing::radians(std::numbers::pi - 1e-9);  // π itself would wrap to the left edge
     } else {
         left_ = sweep_origin_ + least_rad_;
         right_ = sweep_origin_ + most_rad_;
