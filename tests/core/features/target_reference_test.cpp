@@ -1,0 +1,60 @@
+#include "core/features/target_reference.hpp"
+
+#include "core/base/angles.hpp"
+#include "core/features/region_shape.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace echotrail {
+namespace {
+
+EchoGeometry at(double range_m) { return {range_m, radiansFromDegrees(3.0), 0.7}; }
+
+/// What the sonar shows of an object of the given extent (method card, section e).
+RegionFeatures seen(double across_m, double along_m, double range_m) {
+    const double across = std::hypot(across_m, 1.41 * radiansFromDegrees(3.0) * range_m);
+    const double along = std::hypot(along_m, 0.7);
+    const double e = across / along, root = (e - 1 / e) / (4 * M_PI);
+    return {M_PI / 4 * across * along, momentFeature(root * root), along, across};
+}
+
+TEST(TargetReference, PredictsItsOwnLookAndThatAtOtherRanges) {
+    const TargetReference reference(seen(1.0, 0.3, 20), at(20));
+    for (const double range : {8.0, 20.0, 45.0}) {
+        const RegionFeatures expected = reference.expected(at(range)), true_look = seen(1.0, 0.3, range);
+        EXPECT_NEAR(expected.area_m2, true_look.area_m2, 1e-9);
+        EXPECT_NEAR(expected.moment, true_look.moment, 1e-9);
+    }
+}
+
+TEST(TargetReference, LearnsSlowlyAndNeverBeyondTwiceTheFirst) {
+    TargetReference reference(seen(1.0, 0.3, 5), at(5));
+    const double before = reference.expected(at(5)).area_m2;
+    reference.learn(seen(4.0, 0.3, 5), at(5), 1.0);
+    EXPECT_LT(reference.expected(at(5)).area_m2, 1.06 * before);
+    for (int i = 0; i < 200; ++i) reference.learn(seen(9.0, 0.3, 5), at(5), 1.0);
+    EXPECT_NEAR(reference.expected(at(5)).across_range_m, seen(2.0, 0.3, 5).across_range_m, 1e-6);
+}
+
+TEST(Likeness, IsOneForItselfAndFallsWithDifference) {
+    const RegionFeatures a = seen(1, 0.3, 20), b = seen(2, 0.3, 20), c = seen(5, 1, 20);
+    for (const Fusion fusion : {Fusion::Product, Fusion::Sum}) {
+        LikenessParams params;
+        params.fusion = fusion;
+        EXPECT_DOUBLE_EQ(likeness(a, a, params), 1.0);
+        EXPECT_LT(likeness(b, a, params), 1.0);
+        EXPECT_LT(likeness(c, a, params), likeness(b, a, params));
+        EXPECT_GE(likeness(c, a, params), 0.0);
+    }
+}
+
+TEST(Likeness, TenPercentOfAreaAtAQuarterSigmaKeepsItsWeight) {
+    RegionFeatures a = seen(1, 0.3, 20), b = a;
+    b.area_m2 *= 1.1;
+    EXPECT_NEAR(likeness(b, a, {}), 0.92, 0.005);  // method card, section 0: 0.92 with the squared form
+}
+
+}  // namespace
+}  // namespace echotrail
