@@ -2,54 +2,87 @@
 
 #include "core/imaging/wedge_painter.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace echotrail {
 namespace {
 
-constexpr double margin_m = 10.0;        // of the picture around the range circle
-constexpr double recentre_share = 0.75;  // of the margin, before the picture follows
+constexpr double follow_share = 0.75;  // of the margin that the head may leave the middle by
+// Pixels are counted from the local frame's origin in 32 bits; navigation beyond this is wrong anyway.
+constexpr double farthest_origin_m = 1e6;
+
+FanImage emptyImage(int top, int left, int size, double pixel) {
+    return {cv::Mat::zeros(size, size, CV_8U), cv::Mat(size, size, CV_32S, cv::Scalar(FanImage::never_scanned)), pixel,
+            top * pixel, left * pixel};
+}
+
+/// Copies what both pictures show, of one pixel size.
+void copyCommon(const FanImage& from, FanImage& to) {
+    const int down = static_cast<int>(std::lround((from.north_m - to.north_m) / to.pixel_m));
+    const int right = static_cast<int>(std::lround((to.east_m - from.east_m) / to.pixel_m));
+    // The part of `from`, in its own rows and columns, that lies inside `to`.
+    const cv::Rect inside =
+        cv::Rect(0, 0, from.levels.cols, from.levels.rows) & cv::Rect(right, down, to.levels.cols, to.levels.rows);
+    if (inside.empty()) return;
+    const cv::Rect there(inside.x - right, inside.y - down, inside.width, inside.height);
+    from.levels(inside).copyTo(to.levels(there));
+    from.beam_time_ms(inside).copyTo(to.beam_time_ms(there));
+}
+
+/// The same at another pixel size: each new pixel takes over the old one nearest to it.
+void resampleCommon(const FanImage& from, FanImage& to) {
+    for (int row = 0; row < to.levels.rows; ++row) {
+        const int from_row = static_cast<int>(std::lround(from.rowOf(to.northOf(row))));
+        if (from_row < 0 || from_row >= from.levels.rows) continue;
+        for (int column = 0; column < to.levels.cols; ++column) {
+            const int from_column = static_cast<int>(std::lround(from.columnOf(to.eastOf(column))));
+            if (from_column < 0 || from_column >= from.levels.cols) continue;
+            to.levels.at<std::uint8_t>(row, column) = from.levels.at<std::uint8_t>(from_row, from_column);
+            to.beam_time_ms.at<std::int32_t>(row, column) = from.beam_time_ms.at<std::int32_t>(from_row, from_column);
+        }
+    }
+}
 
 }  // namespace
 
 void FanProjector::add(const Ray& ray, double range_scale_m, bool broke_off) {
-    follow(ray, range_scale_m);
-    if (has_last_ && !broke_off) {
-        const double length = ray.bin_size_m * static_cast<double>(ray.levels.size());
-        paintWedge(last_, ray, {0.0, length}, image_);
-    }
-    last_ = ray;
+    const bool placed = follow(ray, range_scale_m);
+    if (placed && has_last_ && !broke_off)
+        paintWedge(last_, ray, {0.0, std::max(ray.farEnd(), last_.farEnd())}, image_);
     last_levels_.assign(ray.levels.begin(), ray.levels.end());
+    last_ = ray;
     last_.levels = last_levels_;
-    has_last_ = true;
+    has_last_ = placed;
 }
 
-/// Keeps the head in the middle part of the picture. What is still inside stays, at another scale if need be.
-void FanProjector::follow(const Ray& ray, double range_scale_m) {
-    const double pixel = range_scale_m / params_.pixels_per_range;
-    if (!(pixel > 0)) return;
-    const int size = 2 * static_cast<int>(std::ceil((range_scale_m + margin_m) / pixel)) + 1;
-    const double centre_north = image_.northOf(image_.levels.rows / 2),
-                 centre_east = image_.eastOf(image_.levels.cols / 2);
-    const bool fits = !image_.empty() && image_.pixel_m == pixel && image_.levels.rows == size &&
-                      std::abs(ray.origin_m.x() - centre_north) < recentre_share * margin_m &&
-                      std::abs(ray.origin_m.y() - centre_east) < recentre_share * margin_m;
-    if (fits) return;
-    FanImage next{cv::Mat::zeros(size, size, CV_8U), cv::Mat(size, size, CV_32S, cv::Scalar(FanImage::never_scanned)),
-                  pixel, (std::floor(ray.origin_m.x() / pixel) + size / 2) * pixel,
-                  (std::floor(ray.origin_m.y() / pixel) - size / 2) * pixel};
-    for (int row = 0; row < size && !image_.empty(); ++row) {
-        const auto from_row = std::lround(image_.rowOf(next.northOf(row)));
-        if (from_row < 0 || from_row >= image_.levels.rows) continue;
-        for (int column = 0; column < size; ++column) {
-            const auto from_column = std::lround(image_.columnOf(next.eastOf(column)));
-            if (from_column < 0 || from_column >= image_.levels.cols) continue;
-            const auto r = static_cast<int>(from_row), c = static_cast<int>(from_column);
-            next.levels.at<std::uint8_t>(row, column) = image_.levels.at<std::uint8_t>(r, c);
-            next.beam_time_ms.at<std::int32_t>(row, column) = image_.beam_time_ms.at<std::int32_t>(r, c);
-        }
-    }
+void FanProjector::reset() {
+    image_ = {};
+    has_last_ = false;
+}
+
+/// Lays the picture about the head unless it still lies well. False where range or place make no sense.
+bool FanProjector::follow(const Ray& ray, double range_scale_m) {
+    const bool makes_sense = range_scale_m > 0.0 && range_scale_m < farthest_origin_m &&
+                             std::abs(ray.origin_north_m) < farthest_origin_m &&
+                             std::abs(ray.origin_east_m) < farthest_origin_m;
+    if (!makes_sense) return false;
+    const double pixel = range_scale_m / params_.fan_pixels_per_range;
+    const double margin = std::min(params_.fan_margin_m, range_scale_m / 2.0);
+    const int half = static_cast<int>(std::ceil((range_scale_m + margin) / pixel)), size = 2 * half + 1;
+    const bool same_shape = image_.pixel_m == pixel && image_.levels.rows == size;
+    const bool well_placed = std::abs(image_.rowOf(ray.origin_north_m) - half) * pixel <= follow_share * margin &&
+                             std::abs(image_.columnOf(ray.origin_east_m) - half) * pixel <= follow_share * margin;
+    if (same_shape && well_placed) return true;
+
+    FanImage next = emptyImage(static_cast<int>(std::lround(ray.origin_north_m / pixel)) + half,
+                               static_cast<int>(std::lround(ray.origin_east_m / pixel)) - half, size, pixel);
+    if (image_.pixel_m == pixel)
+        copyCommon(image_, next);
+    else if (!image_.empty())
+        resampleCommon(image_, next);
     image_ = next;
+    return true;
 }
 
 }  // namespace echotrail
