@@ -9,22 +9,26 @@
 namespace echotrail {
 namespace {
 
-// A point's echo is 2κ times as wide as from the axis to half power on the contour 12 dB below the peak: κ =
-// √(12/6.02).
+// Half the width of a Gaussian beam's echo on the contour Δ = 12 dB below its peak, in beam widths: √(Δ/6.02)/2.
 constexpr double contour_factor = 1.41;
-constexpr double least_extent_m = 0.05;  // so that a factor of two about nothing is still something
+constexpr double least_width_m = 0.02;
+constexpr double least_fill = 0.2, greatest_fill = 2.0;
 
 double footprintAcross(const EchoGeometry& geometry) {
     return contour_factor * geometry.beam_width_rad * geometry.range_m;
 }
 
-double without(double whole, double part) { return std::sqrt(std::max(0.0, whole * whole - part * part)); }
+double ellipseArea(double across, double along) { return std::numbers::pi / 4.0 * across * along; }
 
-double limitedStep(double from, double to, double first) {
-    const double scale = std::max(from, least_extent_m);
-    const double step = std::clamp(to - from, -0.05 * scale, 0.05 * scale);
-    const double anchor = std::max(first, least_extent_m);
-    return std::clamp(from + step, first < least_extent_m ? 0.0 : anchor / 2.0, anchor * 2.0);
+double squared(double value) { return value * value; }
+
+double widthOf(double own_squared, double footprint) {
+    return std::sqrt(std::max(own_squared + squared(footprint), squared(least_width_m)));
+}
+
+double learned(double now, double seen, double first, double share) {
+    const double next = now + std::clamp(share * (seen - now), -0.05 * now, 0.05 * now);
+    return std::clamp(next, first / 2.0, first * 2.0);
 }
 
 }  // namespace
@@ -33,26 +37,33 @@ TargetReference::TargetReference(const RegionFeatures& seen, const EchoGeometry&
     : first_(own(seen, geometry)), now_(first_) {}
 
 TargetReference::Extent TargetReference::own(const RegionFeatures& seen, const EchoGeometry& geometry) {
-    return {without(seen.across_range_m, footprintAcross(geometry)),
-            without(seen.along_range_m, geometry.point_length_m)};
+    return {squared(seen.across_range_m) - squared(footprintAcross(geometry)),
+            squared(seen.along_range_m) - squared(geometry.point_length_m),
+            std::clamp(seen.area_m2 / ellipseArea(seen.across_range_m, seen.along_range_m), least_fill, greatest_fill)};
 }
 
-RegionFeatures TargetReference::expected(const EchoGeometry& geometry) const {
+RegionFeatures TargetReference::look(const Extent& extent, const EchoGeometry& geometry) {
     RegionFeatures features;
-    features.across_range_m = std::hypot(now_.across_m, footprintAcross(geometry));
-    features.along_range_m = std::hypot(now_.along_m, geometry.point_length_m);
+    features.across_range_m = widthOf(extent.across_squared, footprintAcross(geometry));
+    features.along_range_m = widthOf(extent.along_squared, geometry.point_length_m);
     const double elongation = features.across_range_m / features.along_range_m;
-    features.area_m2 = std::numbers::pi / 4.0 * features.across_range_m * features.along_range_m;
-    const double root = (elongation - 1.0 / elongation) / (4.0 * std::numbers::pi);
+    features.area_m2 = extent.fill * ellipseArea(features.across_range_m, features.along_range_m);
+    // M2 of an ellipse, its second moments taken relative to the area it really has.
+    const double root = (elongation - 1.0 / elongation) / (4.0 * std::numbers::pi * extent.fill);
     features.moment = momentFeature(root * root);
     return features;
 }
 
+RegionFeatures TargetReference::expected(const EchoGeometry& geometry) const { return look(now_, geometry); }
+
 void TargetReference::learn(const RegionFeatures& seen, const EchoGeometry& geometry, double share) {
-    const Extent extent = own(seen, geometry);
-    now_.across_m =
-        limitedStep(now_.across_m, now_.across_m + share * (extent.across_m - now_.across_m), first_.across_m);
-    now_.along_m = limitedStep(now_.along_m, now_.along_m + share * (extent.along_m - now_.along_m), first_.along_m);
+    const RegionFeatures now = look(now_, geometry), first = look(first_, geometry);
+    RegionFeatures next;
+    next.across_range_m = learned(now.across_range_m, seen.across_range_m, first.across_range_m, share);
+    next.along_range_m = learned(now.along_range_m, seen.along_range_m, first.along_range_m, share);
+    const double fill = learned(now_.fill, own(seen, geometry).fill, first_.fill, share);
+    next.area_m2 = fill * ellipseArea(next.across_range_m, next.along_range_m);
+    now_ = own(next, geometry);
 }
 
 double likeness(const RegionFeatures& seen, const RegionFeatures& expected, const LikenessParams& params) {

@@ -48,22 +48,27 @@ struct EchoGeometry {
     double point_length_m = 0.0;
 };
 
-/// What the target looks like, freed from the sonar's footprint: its own extent. Area and moment are predicted from
-/// it at the present range, for a small target's echo is mostly the beam's footprint (method card, section e).
+/// What the target looks like, freed from the sonar's footprint. A small target's echo is mostly the footprint, which
+/// grows with range, so area and moment are predicted for the present range: width² = own² + footprint², along and
+/// across the line of sight (method card, section e). `own²` may be negative: the footprint is a model, and a head
+/// with a finer beam than it says is met like any other.
 class TargetReference {
 public:
     /// From the first region of a track.
     TargetReference(const RegionFeatures& seen, const EchoGeometry& geometry);
 
     RegionFeatures expected(const EchoGeometry& geometry) const;
-    /// Learns from a good look: at most 5 % of change at a time, and never beyond twice or half the first extent.
+    /// Learns from a good look: widths change by 5 % at most at a time, and never beyond twice or half of what the
+    /// first look would be at this range.
     void learn(const RegionFeatures& seen, const EchoGeometry& geometry, double share);
 
 private:
     struct Extent {
-        double across_m = 0.0, along_m = 0.0;
+        double across_squared = 0.0, along_squared = 0.0;  ///< own², m²
+        double fill = 1.0;                                 ///< area relative to the ellipse of the same widths
     };
     static Extent own(const RegionFeatures& seen, const EchoGeometry& geometry);
+    static RegionFeatures look(const Extent& extent, const EchoGeometry& geometry);
     Extent first_;
     Extent now_;
 };

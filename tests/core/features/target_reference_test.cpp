@@ -35,7 +35,7 @@ TEST(TargetReference, LearnsSlowlyAndNeverBeyondTwiceTheFirst) {
     reference.learn(seen(4.0, 0.3, 5), at(5), 1.0);
     EXPECT_LT(reference.expected(at(5)).area_m2, 1.06 * before);
     for (int i = 0; i < 200; ++i) reference.learn(seen(9.0, 0.3, 5), at(5), 1.0);
-    EXPECT_NEAR(reference.expected(at(5)).across_range_m, seen(2.0, 0.3, 5).across_range_m, 1e-6);
+    EXPECT_NEAR(reference.expected(at(5)).across_range_m, 2 * seen(1.0, 0.3, 5).across_range_m, 1e-6);
 }
 
 TEST(Likeness, IsOneForItselfAndFallsWithDifference) {

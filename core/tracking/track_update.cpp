@@ -1,0 +1,193 @@
+#include "core/base/random.hpp"
+#include "core/tracking/tracker.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+// What one pass of the beam does to the tracks it went over.
+namespace echotrail {
+namespace {
+
+constexpr double gate_sigmas = 3.0;
+constexpr double clutter_score_memory = 0.95;
+constexpr double looked_at_coverage = 0.5;  // the expected place itself was passed over
+constexpr std::size_t longest_history = 64;
+
+}  // namespace
+
+/// Covariance of a region's centroid in the local frame: range and bearing deviations, turned.
+Eigen::Matrix2d Tracker::measurementCovariance(const Region& region) const {
+    const Eigen::Vector2d sight = region.position_m - Eigen::Vector2d(beam_.head.north_m, beam_.head.east_m);
+    const double range = std::max(sight.norm(), 0.1);
+    const Eigen::Vector2d along = sight / range, across(-along.y(), along.x());
+    const double along_sigma = params_.tracking.range_sigma_m;
+    // Two-way beam: 1/√2 of the one-way width; a Gaussian's full width at half power is 2.355 deviations.
+    const double beam = beam_.beam_width_rad / std::numbers::sqrt2 / 2.355;
+    const double heading = radiansFromDegrees(params_.tracking.heading_sigma_deg);
+    const double step = beam_.step_rad / std::sqrt(12.0);
+    const double across_sigma = range * std::sqrt(beam * beam + heading * heading + step * step);
+    return along_sigma * along_sigma * along * along.transpose() +
+           across_sigma * across_sigma * across * across.transpose();
+}
+
+EchoGeometry Tracker::geometryAt(double range_m) const {
+    return {range_m, std::hypot(beam_.beam_width_rad, beam_.step_rad / 2.0), beam_.point_length_m};
+}
+
+Tracker::Pairing Tracker::pair(const FollowedTrack& followed, const Region& region) const {
+    Pairing pairing;
+    if (region.clutter_mass || region.time <= followed.track.estimate.time) return pairing;
+    const GaussianState prior = predict(followed, region.time);
+    const Eigen::Vector2d innovation = region.position_m - prior.mean.head<2>();
+    const double since_seen = secondsBetween(followed.track.last_seen, region.time);
+    const Eigen::Matrix2d spread = prior.covariance.topLeftCorner<2, 2>();
+    const double reach = params_.tracking.max_speed_mps * since_seen + gate_sigmas * std::sqrt(spread.trace());
+    if (innovation.squaredNorm() > reach * reach) return pairing;
+    pairing.cue.covariance_m2 = measurementCovariance(region);
+    const Eigen::Matrix2d total = spread + pairing.cue.covariance_m2;
+    pairing.nis = innovation.dot(total.inverse() * innovation);
+    pairing.gated = pairing.nis <= params_.tracking.gate;
+    if (!pairing.gated) return pairing;
+    pairing.innovation_m = innovation.norm();
+    pairing.density = std::exp(-0.5 * pairing.nis) / (2.0 * std::numbers::pi * std::sqrt(total.determinant()));
+    pairing.cue.position_m = region.position_m;
+    pairing.likeness =
+        likeness(region.features, followed.reference.expected(geometryAt(region.range_m)), params_.likeness);
+    return pairing;
+}
+
+/// Joint association of the cluster, then each track's own update (method card, sections f and g).
+void Tracker::processCluster(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
+                             std::vector<TrackLook>& looks) {
+    const double floor = params_.likeness.likeness_floor;
+    std::vector<std::vector<Pairing>> pairings(members.size());
+    AssociationProblem problem;
+    for (std::size_t m = 0; m < members.size(); ++m) {
+        const FollowedTrack& followed = followed_[members[m]];
+        const double detection = params_.tracking.detection_probability * followed.pass.coverage();
+        auto& weights = problem.weight.emplace_back();
+        for (const std::size_t j : regions) {
+            Pairing pairing = pair(followed, pending_[j].region);
+            // An echo that is there was detected, however little of the place the beam covered.
+            pairing.cue.weight = params_.tracking.detection_probability / clutter_density_ *
+                                 (pairing.likeness + floor) / (clutter_score_ + floor);
+            weights.push_back(pairing.gated ? pairing.cue.weight * pairing.density : 0.0);
+            pairings[m].push_back(pairing);
+        }
+        problem.miss.push_back(1.0 - detection);
+    }
+    const Association joint = associate(problem);
+    const Association alone = associateAlone(problem);
+    for (std::size_t m = 0; m < members.size(); ++m)
+        completePass(followed_[members[m]], regions, pairings[m], joint.probability[m], joint.none[m],
+                     alone.probability[m], alone.none[m], looks);
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        double claimed = 0;
+        for (std::size_t m = 0; m < members.size(); ++m) claimed += joint.probability[m][k];
+        pending_[regions[k]].claimed = claimed > 0.5;
+        if (pending_[regions[k]].claimed) continue;
+        for (std::size_t m = 0; m < members.size(); ++m)  // how alike are regions that are not the target?
+            if (pairings[m][k].gated)
+                clutter_score_ += (1.0 - clutter_score_memory) * (pairings[m][k].likeness - clutter_score_);
+    }
+}
+
+/// One Gaussian-particle-filter update with the regions of the pass, each weighed down by how much of it the other
+/// tracks of the cluster claim.
+void Tracker::completePass(FollowedTrack& followed, const std::vector<std::size_t>& regions,
+                           const std::vector<Pairing>& pairings, const std::vector<double>& joint, double joint_none,
+                           const std::vector<double>& alone, double alone_none, std::vector<TrackLook>& looks) {
+    const double coverage = followed.pass.coverage();
+    const double detection = params_.tracking.detection_probability * coverage;
+    const auto share = [](double together, double single) { return single > 0 ? together / single : 0.0; };
+    std::vector<Cue> cues;
+    std::size_t best = 0;
+    double echo_probability = 0;
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        if (!pairings[k].gated) continue;
+        Cue cue = pairings[k].cue;
+        cue.weight *= share(joint[k], alone[k]);
+        if (cue.weight > 0) cues.push_back(cue);
+        echo_probability += joint[k];
+        if (joint[k] > joint[best]) best = k;
+    }
+    const bool seen = echo_probability > 0.5;
+    const Region* region = seen ? &pending_[regions[best]].region : nullptr;
+    const Timestamp time = seen ? region->time : std::max(followed.pass.nearestTime(), followed.track.estimate.time);
+    const LookResult result = seen                             ? LookResult::Seen
+                              : coverage >= looked_at_coverage ? LookResult::Missed
+                                                               : LookResult::NotLookedAt;
+    const GaussianState prior = predict(followed, time);
+    const double miss_weight = (1.0 - detection) * share(joint_none, alone_none);
+    double evidence = 1.0 - detection;
+    if (!cues.empty()) {
+        const auto posterior =
+            filter_.update(prior, miss_weight, cues, RandomStream(seed_, followed.track.id, followed.updates++),
+                           &followed.track.particles);
+        evidence = posterior.evidence;
+        followed.track.estimate = posterior.missed ? prior : posterior.state;
+    } else if (result == LookResult::Missed) {
+        followed.track.estimate = prior;
+        followed.track.particles = {};
+    }
+    if (seen) takeEcho(followed, *region, pairings[best]);
+    const bool was_lost = followed.track.state == TrackState::Lost;
+    const bool was_confirmed = followed.track.state != TrackState::Tentative;
+    advanceLife(followed.track, result, evidence, time, params_.life);
+    if (was_lost) searchAgain(followed, result, time);
+    if (!was_confirmed && followed.track.state == TrackState::Confirmed) ++confirmed_ever_;
+    if (result == LookResult::Missed) widenSearch(followed.track, params_.life);
+
+    const bool still_lost = was_lost && followed.track.state == TrackState::Lost;
+    if (result != LookResult::NotLookedAt && !still_lost) {
+        looks.push_back(lookOf(followed, time, seen, followed.pass.nearestHead()));
+        auto& history = followed.track.history;
+        if (history.size() == longest_history) history.erase(history.begin());
+        history.push_back(looks.back());
+    }
+    followed.pass.restart();
+}
+
+void Tracker::takeEcho(FollowedTrack& followed, const Region& region, const Pairing& pairing) {
+    Track& track = followed.track;
+    const EchoGeometry geometry = geometryAt(region.range_m);
+    track.score = pairing.likeness;
+    track.nis = pairing.nis;
+    track.innovation_m = pairing.innovation_m;
+    track.seen_features = region.features;
+    const bool trusted = track.score > params_.likeness.learning_score && region.clipped_fraction < 0.2 &&
+                         track.particles.effective > 0.2 * static_cast<double>(track.particles.weight.size());
+    if (trusted) followed.reference.learn(region.features, geometry, params_.likeness.reference_learning);
+    track.expected_features = followed.reference.expected(geometry);
+}
+
+/// A lost track comes back when two looks running are much like it.
+void Tracker::searchAgain(FollowedTrack& followed, LookResult result, Timestamp time) {
+    if (result == LookResult::NotLookedAt) return;
+    const bool alike = result == LookResult::Seen && followed.track.score > params_.life.reacquire_score;
+    followed.good_looks = alike ? followed.good_looks + 1 : 0;
+    if (followed.good_looks < 2) return;
+    followed.good_looks = 0;
+    reacquire(followed.track, time);
+}
+
+TrackLook Tracker::lookOf(const FollowedTrack& followed, Timestamp time, bool seen, const Pose& head) const {
+    const Track& track = followed.track;
+    const Eigen::Vector2d position = track.estimate.mean.head<2>();
+    const double north = position.x() - head.north_m, east = position.y() - head.east_m;
+    return {.time = time,
+            .track = track.id,
+            .state = track.state,
+            .target = track.target,
+            .seen = seen,
+            .range_m = std::hypot(north, east),
+            .bearing = Bearing::radians(std::atan2(east, north) - head.heading.inRadians()),
+            .position_m = position,
+            .velocity_mps = track.estimate.mean.tail<2>(),
+            .covariance_m2 = track.estimate.covariance.topLeftCorner<2, 2>()};
+}
+
+}  // namespace echotrail

@@ -1,0 +1,264 @@
+#include "core/tracking/tracker.hpp"
+
+#include "core/filters/motion_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+// The flow of tracking: passes, births, sweeps. What one pass does to a track is in track_update.cpp.
+namespace echotrail {
+namespace {
+
+constexpr double least_clutter_density = 2e-5;  // per m²
+constexpr double clutter_memory = 0.8;          // share of the past in the learned density, per sweep
+constexpr double gate_sigmas = 3.0;
+constexpr int sweeps_to_merge = 3;
+
+}  // namespace
+
+Tracker::Tracker(const Params& params, std::uint64_t seed)
+    : params_(params), seed_(seed), filter_(params.filter), clutter_density_(params.tracking.clutter_density) {}
+
+void Tracker::setParams(const Params& params) {
+    if (params.tracking.clutter_density != params_.tracking.clutter_density)
+        clutter_density_ = params.tracking.clutter_density;
+    params_ = params;
+    filter_ = GaussianParticleFilter(params.filter);
+}
+
+void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions, const BeamStillOn& still_on,
+                     std::vector<TrackLook>& looks) {
+    for (const Region& region : regions) pending_.push_back({region});
+    if (beam.turned_round)
+        for (FollowedTrack& followed : followed_) followed.pass.breakOff();
+    const bool sweep_ended = beam.sweep_ended;
+    if (sweep_ended) {
+        settle(still_on, looks);
+        endSweep();
+    }
+    beam_ = beam;
+    scanned_area_m2_ += beam.step_rad * (beam.far_m * beam.far_m - beam.near_m * beam.near_m) / 2.0;
+    for (FollowedTrack& followed : followed_) {
+        const ExpectedPlace place = expectedPlace(predict(followed, beam.time), beam.head);
+        const double half_width = halfWidth(place);
+        followed.pass.follow(beam, place, half_width);
+        const double along = gate_sigmas * place.along_sigma_m + followed.track.expected_features.along_range_m;
+        followed.track.region_of_interest = {
+            beam.head.north_m,    beam.head.east_m, place.azimuth, half_width, std::max(place.range_m - along, 0.0),
+            place.range_m + along};
+    }
+    settle(still_on, looks);
+    giveUpUnseen(looks);
+    std::erase_if(followed_, [&](const FollowedTrack& f) { return isForgotten(f.track, beam.time, params_.life); });
+    applyDesignation();
+}
+
+/// A confirmed track that nothing was seen of for long is lost, also where the beam never came by.
+void Tracker::giveUpUnseen(std::vector<TrackLook>& looks) {
+    for (FollowedTrack& followed : followed_) {
+        Track& track = followed.track;
+        const bool alive = track.state == TrackState::Confirmed || track.state == TrackState::Coasting;
+        if (!alive || secondsBetween(track.last_seen, beam_.time) <= params_.life.lost_after_s) continue;
+        track.state = TrackState::Lost;
+        track.estimate = predict(followed, beam_.time);
+        looks.push_back(lookOf(followed, beam_.time, false, beam_.head));
+    }
+}
+
+void Tracker::finish(const std::vector<Region>& regions, std::vector<TrackLook>& looks) {
+    for (const Region& region : regions) pending_.push_back({region});
+    for (FollowedTrack& followed : followed_) followed.pass.breakOff();
+    settle([](double, double) { return false; }, looks);
+}
+
+GaussianState Tracker::predict(const FollowedTrack& followed, Timestamp time) const {
+    GaussianState state = predicted(followed.track.estimate, time, params_.tracking.process_noise);
+    if (!beam_.navigation_known) {
+        // Nobody tells how the vehicle turns, so everything may swing about it: more the further off it is.
+        const Eigen::Vector2d sight = state.mean.head<2>() - Eigen::Vector2d(beam_.head.north_m, beam_.head.east_m);
+        const Eigen::Vector2d swing(-sight.y(), sight.x());
+        const double turn = radiansFromDegrees(params_.tracking.unknown_turn_deg);
+        const double dt = std::abs(secondsBetween(followed.track.estimate.time, time));
+        state.covariance.topLeftCorner<2, 2>() += turn * turn * dt * swing * swing.transpose();
+    }
+    return state;
+}
+
+/// How far to each side of its expected bearing an object may appear, in radians.
+double Tracker::halfWidth(const ExpectedPlace& place) const {
+    const double across = gate_sigmas * place.across_sigma_m + params_.tracking.merge_tracks_m / 2.0;
+    const double angle = std::atan2(across, std::max(place.range_m, 0.1));
+    return std::min(angle + beam_.beam_width_rad + beam_.step_rad, radiansFromDegrees(100.0));
+}
+
+void Tracker::interestsAt(const BeamMoment& beam, std::vector<RangeOfInterest>& interests) const {
+    interests.clear();
+    for (const FollowedTrack& followed : followed_) {
+        if (followed.track.state == TrackState::Tentative || followed.track.state == TrackState::Lost) continue;
+        const PolarBox& box = followed.track.region_of_interest;
+        if (std::abs(beam.azimuth - box.centre) <= box.half_width_rad) interests.push_back({box.near_m, box.far_m});
+    }
+}
+
+bool Tracker::isReady(const FollowedTrack& followed, const BeamStillOn& still_on) const {
+    const PolarBox& box = followed.track.region_of_interest;
+    return followed.pass.ended() && !still_on(box.near_m, box.far_m);
+}
+
+/// Tracks that share regions with track `first`, and those regions. False where one of them is not ready yet.
+bool Tracker::collectCluster(std::size_t first, const BeamStillOn& still_on, std::vector<std::size_t>& members,
+                             std::vector<std::size_t>& regions) const {
+    members.assign(1, first);
+    regions.clear();
+    std::vector<bool> has_region(pending_.size(), false), has_track(followed_.size(), false);
+    has_track[first] = true;
+    for (std::size_t m = 0; m < members.size(); ++m) {  // grows while it is walked
+        if (!isReady(followed_[members[m]], still_on)) return false;
+        for (std::size_t j = 0; j < pending_.size(); ++j) {
+            if (has_region[j] || !pair(followed_[members[m]], pending_[j].region).gated) continue;
+            has_region[j] = true;
+            regions.push_back(j);
+            for (std::size_t t = 0; t < followed_.size(); ++t) {
+                const BeamPass& pass = followed_[t].pass;
+                if (has_track[t] || !(pass.inside() || pass.ended())) continue;
+                if (!pair(followed_[t], pending_[j].region).gated) continue;
+                has_track[t] = true;
+                members.push_back(t);
+            }
+        }
+    }
+    std::sort(members.begin(), members.end());
+    std::sort(regions.begin(), regions.end());
+    return true;
+}
+
+/// Completes every pass that is over, with all that share its regions; what nobody claims may start a track.
+void Tracker::settle(const BeamStillOn& still_on, std::vector<TrackLook>& looks) {
+    std::vector<std::size_t> members, regions;
+    for (std::size_t t = 0; t < followed_.size(); ++t)
+        if (followed_[t].pass.ended() && collectCluster(t, still_on, members, regions))
+            processCluster(members, regions, looks);
+    decideBirths(looks);
+}
+
+void Tracker::decideBirths(std::vector<TrackLook>& looks) {
+    std::vector<Region> unclaimed;
+    std::erase_if(pending_, [&](const PendingRegion& pending) {
+        if (pending.claimed) return true;
+        const bool awaited = std::any_of(followed_.begin(), followed_.end(), [&](const FollowedTrack& followed) {
+            return (followed.pass.inside() || followed.pass.ended()) && pair(followed, pending.region).gated;
+        });
+        if (!awaited) unclaimed.push_back(pending.region);
+        return !awaited;
+    });
+    for (const Region& region : unclaimed) {
+        if (!mayBeBorn(region)) continue;
+        ++unclaimed_;
+        bear(region, looks);
+    }
+}
+
+bool Tracker::mayBeBorn(const Region& region) const {
+    if (region.clutter_mass || region.multipath || region.beam_hits < params_.tracking.min_beam_hits) return false;
+    return std::none_of(followed_.begin(), followed_.end(), [&](const FollowedTrack& followed) {
+        const GaussianState state = predict(followed, region.time);
+        return (state.mean.head<2>() - region.position_m).norm() < params_.tracking.merge_tracks_m / 2.0;
+    });
+}
+
+void Tracker::bear(const Region& region, std::vector<TrackLook>& looks) {
+    if (static_cast<int>(followed_.size()) >= params_.tracking.max_tracks) {
+        // Make room: the least likely of those that were never confirmed gives way, the others stay.
+        const auto weakest = std::min_element(followed_.begin(), followed_.end(), [](const auto& a, const auto& b) {
+            const auto rank = [](const FollowedTrack& f) {
+                return f.track.state == TrackState::Tentative && !f.track.target ? f.track.existence : 2.0;
+            };
+            return rank(a) < rank(b);
+        });
+        if (weakest->track.state != TrackState::Tentative || weakest->track.target ||
+            weakest->track.existence > params_.life.birth_existence)
+            return;
+        followed_.erase(weakest);
+    }
+    FollowedTrack born{.reference = TargetReference(region.features, geometryAt(region.range_m))};
+    Track& track = born.track;
+    track.id = next_id_++;
+    track.existence = params_.life.birth_existence;
+    track.looks = 1;
+    track.born = track.last_seen = track.estimate.time = region.time;
+    track.estimate.mean.head<2>() = region.position_m;
+    const double position = params_.tracking.initial_position_sigma_m, speed = params_.tracking.initial_speed_sigma_mps;
+    track.estimate.covariance.setZero();
+    track.estimate.covariance.diagonal() << position * position, position * position, speed * speed, speed * speed;
+    track.estimate.covariance.topLeftCorner<2, 2>() += measurementCovariance(region);
+    track.score = 1.0;
+    track.seen_features = region.features;
+    track.expected_features = born.reference.expected(geometryAt(region.range_m));
+    followed_.push_back(std::move(born));
+    applyDesignation();
+    looks.push_back(lookOf(followed_.back(), region.time, true, beam_.head));
+    followed_.back().track.history.push_back(looks.back());
+}
+
+void Tracker::designate(const Eigen::Vector2d& position_m, double radius_m) {
+    clearDesignation();
+    designation_ = Designation{position_m, radius_m};
+    applyDesignation();
+}
+
+void Tracker::clearDesignation() {
+    designation_.reset();
+    for (FollowedTrack& followed : followed_) followed.track.target = false;
+}
+
+void Tracker::applyDesignation() {
+    if (!designation_) return;
+    FollowedTrack* nearest = nullptr;
+    double nearest_m = designation_->radius_m;
+    for (FollowedTrack& followed : followed_) {
+        const GaussianState state = predict(followed, std::max(beam_.time, followed.track.estimate.time));
+        const double distance = (state.mean.head<2>() - designation_->position_m).norm();
+        if (followed.track.state == TrackState::Lost || distance > nearest_m) continue;
+        nearest = &followed;
+        nearest_m = distance;
+    }
+    if (!nearest) return;
+    nearest->track.target = true;
+    nearest->track.existence = std::max(nearest->track.existence, params_.life.picked_existence);
+    designation_.reset();
+}
+
+void Tracker::endSweep() {
+    for (FollowedTrack& followed : followed_) followed.track.existence *= params_.life.survival_per_sweep;
+    if (scanned_area_m2_ > 0) {
+        const double density = unclaimed_ / scanned_area_m2_;
+        clutter_density_ =
+            std::max(clutter_memory * clutter_density_ + (1.0 - clutter_memory) * density, least_clutter_density);
+    }
+    scanned_area_m2_ = 0.0;
+    unclaimed_ = 0;
+    mergeTracks();
+}
+
+/// Two tracks on one thing: after three sweeps the younger goes, unless it is the operator's.
+void Tracker::mergeTracks() {
+    const auto outranks = [](const Track& a, const Track& b) { return a.target != b.target ? a.target : a.id < b.id; };
+    for (FollowedTrack& followed : followed_) {
+        const Eigen::Vector2d place = predict(followed, beam_.time).mean.head<2>();
+        const bool shadowed = std::any_of(followed_.begin(), followed_.end(), [&](const FollowedTrack& other) {
+            return &other != &followed && other.track.state != TrackState::Lost &&
+                   outranks(other.track, followed.track) &&
+                   (predict(other, beam_.time).mean.head<2>() - place).norm() < params_.tracking.merge_tracks_m;
+        });
+        followed.shadowed_sweeps = shadowed ? followed.shadowed_sweeps + 1 : 0;
+    }
+    std::erase_if(followed_, [](const FollowedTrack& followed) { return followed.shadowed_sweeps >= sweeps_to_merge; });
+}
+
+std::vector<Track> Tracker::tracks() const {
+    std::vector<Track> tracks;
+    for (const FollowedTrack& followed : followed_) tracks.push_back(followed.track);
+    return tracks;
+}
+
+}  // namespace echotrail

@@ -1,0 +1,177 @@
+#pragma once
+
+#include "core/base/parameters.hpp"
+#include "core/detection/echo_screen.hpp"
+#include "core/features/target_reference.hpp"
+#include "core/filters/gaussian_particle_filter.hpp"
+#include "core/tracking/association.hpp"
+#include "core/tracking/beam_pass.hpp"
+#include "core/tracking/track_life.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace echotrail {
+
+struct TrackerParams {
+    double process_noise = 0.05;
+    double unknown_turn_deg = 1.0;
+    double range_sigma_m = 0.15;
+    double heading_sigma_deg = 0.3;
+    double initial_position_sigma_m = 0.8;
+    double initial_speed_sigma_mps = 0.5;
+    double max_speed_mps = 2.0;
+    double gate = 13.8;
+    double detection_probability = 0.9;
+    double clutter_density = 1e-3;
+    int min_beam_hits = 2;
+    double merge_tracks_m = 1.0;
+    int max_tracks = 16;
+};
+
+template <>
+struct Described<TrackerParams> {
+    using P = TrackerParams;
+    static constexpr std::string_view group = "Tracking";
+    static constexpr auto fields = std::tuple{
+        Field{&P::process_noise, "process_noise", "m²/s³", 1e-4, 10,
+              "How readily objects change their velocity: power density of the acceleration"},
+        Field{&P::unknown_turn_deg, "unknown_turn_deg", "deg/√s", 0, 20,
+              "Without a heading sensor: how far the vehicle may turn unnoticed"},
+        Field{&P::range_sigma_m, "range_sigma_m", "m", 0.01, 5, "Deviation of a region's range"},
+        Field{&P::heading_sigma_deg, "heading_sigma_deg", "deg", 0, 20, "Deviation of the heading"},
+        Field{&P::initial_position_sigma_m, "initial_position_sigma_m", "m", 0.05, 20,
+              "Deviation of a new track's place from its first region"},
+        Field{&P::initial_speed_sigma_mps, "initial_speed_sigma_mps", "m/s", 0.01, 10,
+              "Deviation of a new track's velocity from rest"},
+        Field{&P::max_speed_mps, "max_speed_mps", "m/s", 0.1, 30, "Nothing that is followed moves faster"},
+        Field{&P::gate, "gate", "", 2, 40,
+              "Squared normalised distance within which a region may be the track's echo; 13.8 holds 99.9 %"},
+        Field{&P::detection_probability, "detection_probability", "", 0.1, 0.999,
+              "Probability that the object shows when the beam passes"},
+        Field{&P::clutter_density, "clutter_density", "1/m²", 2e-5, 1,
+              "Other regions per area and sweep, before it is learned"},
+        Field{&P::min_beam_hits, "min_beam_hits", "pings", 1, 10, "Pings that must meet a region to start a track"},
+        Field{&P::merge_tracks_m, "merge_tracks_m", "m", 0, 10, "Tracks closer than this for three sweeps are one"},
+        Field{&P::max_tracks, "max_tracks", "", 1, 64, "Tracks followed at the same time"}};
+};
+
+/// A region that no track has claimed or turned down yet.
+struct PendingRegion {
+    Region region;
+    bool claimed = false;
+};
+
+/// A track with what only the tracker needs to know of it.
+struct FollowedTrack {
+    Track track;
+    TargetReference reference;
+    BeamPass pass;
+    std::uint64_t updates = 0;  ///< names the random stream of the next one
+    int good_looks = 0;         ///< running, of a lost track: two bring it back
+    int shadowed_sweeps = 0;    ///< running, in which an older track was as good as here
+};
+
+/// Follows several objects at once, one of them the operator's target.
+/// A track is updated once for each pass of the beam over its place, when the beam has left it: with the regions
+/// found there, jointly with the tracks that share them, or with nothing where there was no echo.
+/// Order: update() once per ping, in time order; finish() after the last.
+/// State: tracks, unclaimed regions, learned clutter density.
+class Tracker {
+public:
+    struct Params {
+        TrackerParams tracking;
+        LifeParams life;
+        LikenessParams likeness;
+        GaussianParticleFilter::Params filter;
+    };
+    /// Whether the beam is still on an echo between two ranges: a pass is then not over yet.
+    using BeamStillOn = std::function<bool(double near_m, double far_m)>;
+
+    Tracker(const Params& params, std::uint64_t seed);
+    void setParams(const Params& params);
+
+    /// `regions` are those the beam left before this ping. Appends the looks that were completed.
+    void update(const BeamMoment& beam, const std::vector<Region>& regions, const BeamStillOn& still_on,
+                std::vector<TrackLook>& looks);
+    /// Completes the passes that are still open; `regions` are the last ones.
+    void finish(const std::vector<Region>& regions, std::vector<TrackLook>& looks);
+
+    /// Where followed objects are expected at this beam's bearing: there, fainter echoes are worth a look.
+    void interestsAt(const BeamMoment& beam, std::vector<RangeOfInterest>& interests) const;
+
+    /// The operator points at a place in the local frame; the first region or track within `radius_m` becomes the
+    /// target, waiting as long as needed.
+    void designate(const Eigen::Vector2d& position_m, double radius_m);
+    void clearDesignation();
+
+    /// The tracks that are followed, lost ones that may still come back included.
+    std::vector<Track> tracks() const;
+    std::uint64_t confirmedEver() const { return confirmed_ever_; }
+    double clutterDensity() const { return clutter_density_; }
+
+private:
+    struct Pairing {
+        bool gated = false;
+        double likeness = 0.0;
+        double density = 0.0;  ///< N(innovation; 0, S)
+        double nis = 0.0;
+        double innovation_m = 0.0;
+        Cue cue;
+    };
+    struct Designation {
+        Eigen::Vector2d position_m;
+        double radius_m;
+    };
+
+    GaussianState predict(const FollowedTrack& followed, Timestamp time) const;
+    Eigen::Matrix2d measurementCovariance(const Region& region) const;
+    EchoGeometry geometryAt(double range_m) const;
+    Pairing pair(const FollowedTrack& followed, const Region& region) const;
+    double halfWidth(const ExpectedPlace& place) const;
+
+    void settle(const BeamStillOn& still_on, std::vector<TrackLook>& looks);
+    bool collectCluster(std::size_t first, const BeamStillOn& still_on, std::vector<std::size_t>& members,
+                        std::vector<std::size_t>& regions) const;
+    bool isReady(const FollowedTrack& followed, const BeamStillOn& still_on) const;
+    void processCluster(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
+                        std::vector<TrackLook>& looks);
+    void completePass(FollowedTrack& followed, const std::vector<std::size_t>& regions,
+                      const std::vector<Pairing>& pairings, const std::vector<double>& joint, double joint_none,
+                      const std::vector<double>& alone, double alone_none, std::vector<TrackLook>& looks);
+    void takeEcho(FollowedTrack& followed, const Region& region, const Pairing& pairing);
+    void searchAgain(FollowedTrack& followed, LookResult result, Timestamp time);
+    TrackLook lookOf(const FollowedTrack& followed, Timestamp time, bool seen, const Pose& head) const;
+
+    void decideBirths(std::vector<TrackLook>& looks);
+    bool mayBeBorn(const Region& region) const;
+    void bear(const Region& region, std::vector<TrackLook>& looks);
+    void applyDesignation();
+    void giveUpUnseen(std::vector<TrackLook>& looks);
+    void endSweep();
+    void mergeTracks();
+
+    Params params_;
+    std::uint64_t seed_;
+    GaussianParticleFilter filter_;
+    BeamMoment beam_;
+    std::vector<FollowedTrack> followed_;
+    std::vector<PendingRegion> pending_;
+    std::optional<Designation> designation_;
+    int next_id_ = 1;
+    std::uint64_t confirmed_ever_ = 0;
+    double clutter_density_;
+    double clutter_score_ = 0.25;   ///< running mean likeness of regions that were nobody's echo
+    double scanned_area_m2_ = 0.0;  ///< in this sweep
+    int unclaimed_ = 0;             ///< regions in this sweep that were nobody's echo
+};
+
+template <>
+struct Described<Tracker::Params> {
+    using P = Tracker::Params;
+    static constexpr auto stages = std::tuple{&P::tracking, &P::life, &P::likeness, &P::filter};
+};
+
+}  // namespace echotrail

@@ -1,0 +1,201 @@
+#include "core/tracking/tracker.hpp"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+namespace echotrail {
+namespace {
+
+constexpr double step_deg = 1.8, ping_s = 0.1, half_sector_deg = 45.0;
+
+struct Object {
+    Eigen::Vector2d start{20, 0}, velocity{0, 0};
+    double area_m2 = 0.6;
+    double visible_from_s = 0, hidden_from_s = 1e9, shown_again_s = 1e9;
+    Eigen::Vector2d at(double t) const { return start + t * velocity; }
+    bool shows(double t) const { return t >= visible_from_s && (t < hidden_from_s || t >= shown_again_s); }
+};
+
+/// A beam that scans ±45° to and fro over moving objects; each gives a region two pings after the beam was on it.
+class Scene {
+public:
+    explicit Scene(std::vector<Object> objects, Tracker::Params params = {}, std::uint64_t seed = 1)
+        : tracker(params, seed), objects_(std::move(objects)), noise_(seed, 77, 0) {}
+
+    void run(double until_s) {
+        for (; ping_ * ping_s < until_s; ++ping_) {
+            const double t = ping_ * ping_s;
+            const int per_sweep = static_cast<int>(2 * half_sector_deg / step_deg);
+            const int phase = ping_ % (2 * per_sweep);
+            const double bearing = -half_sector_deg + step_deg * (phase < per_sweep ? phase : 2 * per_sweep - phase);
+            BeamMoment beam;
+            beam.time = Timestamp(microsecondsFromSeconds(t));
+            beam.azimuth = Bearing::degrees(bearing);
+            beam.step_rad = radiansFromDegrees(step_deg);
+            beam.beam_width_rad = radiansFromDegrees(3);
+            beam.far_m = 50;
+            beam.point_length_m = 0.5;
+            beam.turned_round = beam.sweep_ended = ping_ > 0 && (phase == 1 || phase == per_sweep + 1);
+            beam.navigation_known = true;
+
+            std::vector<Region> due;
+            std::swap(due, later_);
+            std::swap(later_, next_);
+            for (const Object& object : objects_) {
+                const Eigen::Vector2d place = object.at(t);
+                const double turn = degreesFromRadians(std::atan2(place.y(), place.x())) - bearing;
+                if (std::abs(turn) <= step_deg / 2 && object.shows(t)) next_.push_back(regionAt(place, object, t));
+            }
+            tracker.update(
+                beam, due, [](double, double) { return false; }, looks);
+        }
+    }
+
+    Tracker tracker;
+    std::vector<TrackLook> looks;
+
+    std::vector<TrackLook> confirmedLooks() const {
+        std::vector<TrackLook> found;
+        for (const TrackLook& look : looks)
+            if (look.state == TrackState::Confirmed) found.push_back(look);
+        return found;
+    }
+    const Object& object(std::size_t i) const { return objects_[i]; }
+
+private:
+    Region regionAt(const Eigen::Vector2d& place, const Object& object, double t) {
+        Region region;
+        region.id = ++id_;
+        region.time = Timestamp(microsecondsFromSeconds(t));
+        region.position_m = place + 0.1 * Eigen::Vector2d(noise_.gaussian(), noise_.gaussian());
+        region.range_m = region.position_m.norm();
+        region.beam_hits = 3;
+        // What an ellipse of these widths would give: M2 = [(e − 1/e)/4π]², e = across/along.
+        const double along = 0.6, across = object.area_m2 / (M_PI / 4 * along), e = across / along;
+        region.features = {object.area_m2, std::log10(std::pow((e - 1 / e) / (4 * M_PI), 2) + 1e-3), along, across};
+        return region;
+    }
+    std::vector<Object> objects_;
+    RandomStream noise_;
+    std::vector<Region> later_, next_;
+    int ping_ = 0;
+    std::uint32_t id_ = 0;
+};
+
+double secondsOf(const TrackLook& look) { return secondsBetween(Timestamp{}, look.time); }
+
+TEST(Tracker, ConfirmsAMovingTargetAndFollowsItWithOneId) {
+    Scene scene({{{25, 3}, {-0.3, 0.1}}});
+    scene.run(60);
+    const auto confirmed = scene.confirmedLooks();
+    ASSERT_GE(confirmed.size(), 8u);
+    for (const TrackLook& look : confirmed) {
+        EXPECT_EQ(look.track, confirmed.front().track);
+        if (look.seen) {
+            EXPECT_LT((look.position_m - scene.object(0).at(secondsOf(look))).norm(), 0.6) << secondsOf(look);
+        }
+        EXPECT_GT(look.covariance_m2.determinant(), 0);
+    }
+    EXPECT_NEAR(confirmed.back().velocity_mps.x(), -0.3, 0.1);
+    EXPECT_EQ(scene.tracker.confirmedEver(), 1u);
+}
+
+TEST(Tracker, EachPassGivesOneLookAndAMissIsSaidToBeUnseen) {
+    Scene scene({{{20, 0}, {0, 0}, 0.6, 0, 30, 1e9}});
+    scene.run(48);
+    int unseen = 0;
+    for (std::size_t i = 1; i < scene.looks.size(); ++i) {
+        EXPECT_NEAR(secondsOf(scene.looks[i]) - secondsOf(scene.looks[i - 1]), 5.0, 0.6);
+        unseen += !scene.looks[i].seen;
+    }
+    EXPECT_GE(unseen, 3);
+    EXPECT_EQ(scene.looks.back().state, TrackState::Coasting);
+}
+
+TEST(Tracker, LostTargetIsFoundAgainUnderItsOldId) {
+    Scene scene({{{20, 0}, {0, 0}, 0.6, 0, 40, 75}});
+    scene.run(120);
+    bool lost = false;
+    for (const TrackLook& look : scene.looks) lost |= look.state == TrackState::Lost;
+    EXPECT_TRUE(lost);
+    EXPECT_EQ(scene.looks.back().state, TrackState::Confirmed);
+    EXPECT_EQ(scene.looks.back().track, scene.looks.front().track);
+    EXPECT_EQ(scene.tracker.confirmedEver(), 1u);
+}
+
+TEST(Tracker, OneFalseEchoStartsNothingThatLasts) {
+    Scene scene({{{30, 5}, {0, 0}, 0.6, 0, 4, 1e9}});
+    scene.run(60);
+    EXPECT_TRUE(scene.confirmedLooks().empty());
+    EXPECT_TRUE(scene.tracker.tracks().empty());
+}
+
+TEST(Tracker, TargetOutsideTheSectorIsNotMissed) {
+    // It leaves to starboard at about 25 s; nobody looks there any more, until it is given up for its age.
+    Scene scene({{{20, 14}, {0, 0.3}}});
+    scene.run(45);
+    for (const TrackLook& look : scene.looks)
+        if (!look.seen) {
+            EXPECT_NE(look.state, TrackState::Lost);
+        }
+}
+
+TEST(Tracker, CrossingTargetsKeepTheirIdentity) {
+    int kept = 0;
+    constexpr int runs = 20;
+    for (int run = 0; run < runs; ++run) {
+        Scene scene({{{20, -9}, {0, 0.3}}, {{23, 9}, {0, -0.3}}}, {}, 100 + run);
+        scene.run(60);
+        std::map<int, int> first_owner;
+        bool switched = false;
+        for (const TrackLook& look : scene.confirmedLooks()) {
+            if (!look.seen) continue;
+            const int nearest = (look.position_m - scene.object(0).at(secondsOf(look))).norm() <
+                                        (look.position_m - scene.object(1).at(secondsOf(look))).norm()
+                                    ? 0
+                                    : 1;
+            const auto [owner, is_new] = first_owner.try_emplace(look.track, nearest);
+            switched |= owner->second != nearest;
+        }
+        kept += !switched && first_owner.size() == 2;
+    }
+    EXPECT_GE(kept, 19);
+}
+
+TEST(Tracker, PickBeforeTheTargetShowsWaitsForIt) {
+    Scene scene({{{20, 0}, {0, 0}, 0.6, 12}, {{30, 10}, {0, 0}}});
+    scene.tracker.designate({20.5, 0.5}, 3.0);
+    scene.run(40);
+    for (const TrackLook& look : scene.looks)
+        EXPECT_EQ(look.target, (look.position_m - Eigen::Vector2d(20, 0)).norm() < 3);
+}
+
+TEST(Tracker, SameSeedSameBitsOtherSeedOthers) {
+    const auto positions = [](std::uint64_t filter_seed) {
+        Scene scene({{{25, 3}, {-0.3, 0.1}}, {{15, -3}, {0.1, 0.2}}}, {}, 5);
+        scene.tracker = Tracker({}, filter_seed);
+        scene.run(40);
+        std::vector<double> values;
+        for (const TrackLook& look : scene.looks) values.push_back(look.position_m.x());
+        return values;
+    };
+    EXPECT_EQ(positions(1), positions(1));
+    EXPECT_NE(positions(1), positions(2));
+}
+
+TEST(Tracker, NeverFollowsMoreThanItMay) {
+    std::vector<Object> crowd;
+    for (int i = 0; i < 40; ++i) crowd.push_back({{10.0 + i, (i % 5) * 2.0 - 4.0}, {0, 0}});
+    Tracker::Params params;
+    params.tracking.max_tracks = 12;
+    Scene scene(crowd, params);
+    scene.run(40);
+    EXPECT_LE(scene.tracker.tracks().size(), 12u);
+    EXPECT_GE(scene.tracker.tracks().size(), 10u);
+}
+
+}  // namespace
+}  // namespace echotrail
