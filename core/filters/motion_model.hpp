@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/data/track.hpp"
+
+namespace echotrail {
+
+/// The state at time `to` under constant velocity disturbed by white acceleration of spectral density `q` (m²/s³)
+/// on each axis: mean Fμ, covariance FΣFᵀ + Q, with Q = q[[Δt³/3, Δt²/2], [Δt²/2, Δt]] per axis (position, velocity).
+/// Exact for any Δt. A time before the state's is allowed (regions of one sweep come in the order they were
+/// finished, not seen): the same model run backwards gives the noise of |Δt|, its off-diagonal terms negated.
+GaussianState predicted(const GaussianState& state, Timestamp to, double q);
+
+}  // namespace echotrail
