@@ -4,8 +4,11 @@
 
 namespace echotrail {
 
-void smoothGaussian(cv::Mat& levels) {
-    cv::GaussianBlur(levels, levels, cv::Size(5, 5), 1.0, 1.0, cv::BORDER_REPLICATE);
+void smoothGaussian(cv::Mat& levels, const GaussianParams& params) {
+    // OpenCV computes 8-bit pictures in fixed point: the same bytes on every machine.
+    const int size = params.gaussian_size_pixels | 1;
+    cv::GaussianBlur(levels, levels, cv::Size(size, size), params.gaussian_sigma_pixels, params.gaussian_sigma_pixels,
+                     cv::BORDER_REPLICATE);
 }
 
 }  // namespace echotrail
