@@ -1,9 +1,9 @@
 #pragma once
 
-#include <opencv2/core.hpp>
-
 #include "core/base/parameters.hpp"
 #include "core/data/fan_image.hpp"
+
+#include <opencv2/core.hpp>
 
 namespace echotrail {
 
