@@ -1,0 +1,155 @@
+#include "ui/bridge/pipeline_bridge.hpp"
+
+#include "core/recording/recording.hpp"
+#include "core/simulation/demonstration.hpp"
+
+#include <QFileInfo>
+#include <algorithm>
+
+namespace echotrail {
+namespace {
+
+constexpr int display_interval_ms = 33;
+
+}  // namespace
+
+PipelineBridge::PipelineBridge(QObject* parent) : QObject(parent) {
+    timer_.setInterval(display_interval_ms);
+    connect(&timer_, &QTimer::timeout, this, &PipelineBridge::poll);
+}
+
+PipelineBridge::~PipelineBridge() = default;
+
+void PipelineBridge::openRecording(const QString& path) {
+    open(QFileInfo(path).fileName(), [path = path.toStdString()] { return echotrail::openRecording(path, {}); });
+}
+
+void PipelineBridge::openDemonstration() {
+    open(tr("demonstration"), [seed = seed_]() -> SourceOpener::Outcome { return makeDemonstration(seed); });
+}
+
+void PipelineBridge::open(const QString& name, SourceOpener::Opener opener) {
+    opening_name_ = name;
+    opener_.start(std::move(opener));
+    timer_.start();
+    Q_EMIT opening(name);
+}
+
+void PipelineBridge::cancelOpening() {
+    opener_.cancel();
+    opening_name_.clear();
+}
+
+void PipelineBridge::close() {
+    if (!runner_) return;
+    runner_.reset();
+    info_ = {};
+    status_ = {};
+    timeline_ = {};
+    scene_.reset();
+    Q_EMIT closed();
+}
+
+void PipelineBridge::adopt(std::unique_ptr<PingSource> source) {
+    runner_.reset();  // the old thread ends before the new one starts
+    info_ = source->info();
+    scene_.reset();
+    timeline_ = {};
+    status_ = {};
+    status_.revision = revision_;
+    runner_ = std::make_unique<ReplayRunner>(std::move(source), params_, seed_);
+    runner_->setSpeed(speed_);
+    Q_EMIT opened();
+    Q_EMIT statusChanged(status_);
+    Q_EMIT timelineChanged(timeline_);
+}
+
+void PipelineBridge::setParams(const Params& params) {
+    params_ = params;
+    ++revision_;
+    if (runner_) runner_->setParams(params_, revision_);
+}
+
+void PipelineBridge::pollOpening() {
+    auto outcome = opener_.take();
+    if (!outcome) return;
+    const QString name = std::exchange(opening_name_, QString());
+    if (*outcome)
+        adopt(std::move(**outcome));
+    else
+        Q_EMIT openFailed(name, QString::fromStdString(outcome->error()));
+}
+
+void PipelineBridge::poll() {
+    pollOpening();
+    if (!runner_) {
+        if (!opener_.busy()) timer_.stop();
+        return;
+    }
+    if (auto timeline = runner_->timelines().take()) {
+        timeline_ = std::move(*timeline);
+        Q_EMIT timelineChanged(timeline_);
+    }
+    if (auto scene = runner_->scenes().take()) {
+        scene_ = std::make_shared<const Scene>(std::move(*scene));
+        Q_EMIT sceneChanged(scene_);
+    }
+    if (auto status = runner_->status(); status != status_) {
+        status_ = std::move(status);
+        Q_EMIT statusChanged(status_);
+    }
+}
+
+void PipelineBridge::play() {
+    if (runner_) runner_->play();
+}
+void PipelineBridge::pause() {
+    if (runner_) runner_->pause();
+}
+void PipelineBridge::togglePlay() {
+    if (status_.state == ReplayState::Playing)
+        pause();
+    else
+        play();
+}
+void PipelineBridge::stepPings(int count) {
+    if (runner_) runner_->stepPings(count);
+}
+void PipelineBridge::stepSweep(int direction) {
+    if (runner_) runner_->stepSweep(direction);
+}
+void PipelineBridge::seekPosition(quint64 position) {
+    if (runner_) runner_->seek(position);
+}
+
+void PipelineBridge::seekSeconds(double from_start) {
+    if (!runner_ || timeline_.pings() == 0) return;
+    runner_->seekTime(timeline_.ping_times->front() + microsecondsFromSeconds(std::max(0.0, from_start)));
+}
+
+void PipelineBridge::skipSeconds(double seconds) {
+    if (!runner_ || timeline_.pings() == 0) return;
+    const auto& times = *timeline_.ping_times;
+    // From where a seek under way is heading, so that repeated keys add up.
+    const std::uint64_t from = std::clamp<std::uint64_t>(status_.goal, 1, times.size()) - 1;
+    runner_->seekTime(std::max(times.front(), times[from] + microsecondsFromSeconds(seconds)));
+}
+
+void PipelineBridge::setSpeed(double factor) {
+    speed_ = factor;
+    if (runner_) runner_->setSpeed(factor);
+}
+void PipelineBridge::setLoop(std::optional<PingSpan> loop) {
+    if (runner_) runner_->setLoop(loop);
+}
+void PipelineBridge::cancelSeek() {
+    if (runner_) runner_->cancel();
+}
+void PipelineBridge::designate(double range_m, double bearing_from_bow_rad) {
+    if (runner_) runner_->designate(range_m, Bearing::radians(bearing_from_bow_rad));
+}
+void PipelineBridge::clearDesignation() {
+    if (runner_) runner_->clearDesignation();
+}
+
+}  // namespace echotrail

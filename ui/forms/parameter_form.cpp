@@ -1,0 +1,223 @@
+#include "ui/forms/parameter_form.hpp"
+
+#include "ui/forms/parameter_delegate.hpp"
+#include "ui/forms/parameter_set.hpp"
+
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+namespace echotrail {
+namespace {
+
+// Qt's own dialog: the desktop's would not follow the night palette.
+constexpr auto own_dialog = QFileDialog::DontUseNativeDialog;
+
+QString fileFilter() { return ParameterForm::tr("Parameter sets (*.toml)"); }
+
+}  // namespace
+
+ParameterForm::ParameterForm(ParameterModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+    filter_.setSourceModel(&model_);
+    makeTree();
+    help_ = new QLabel(this);
+    help_->setObjectName("dim");
+    help_->setWordWrap(true);
+    help_->setMinimumHeight(3 * fontMetrics().lineSpacing());
+    help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    refusal_ = new QLabel(this);
+    refusal_->setObjectName("refusal");
+    refusal_->setWordWrap(true);
+    refusal_->hide();
+
+    auto* layout = new QVBoxLayout(this);
+    const int gap = fontMetrics().height() / 3;
+    layout->setContentsMargins(gap, gap, gap, gap);
+    layout->setSpacing(gap);
+    layout->addWidget(makeSearchRow());
+    layout->addWidget(tree_, 1);
+    layout->addWidget(refusal_);
+    layout->addWidget(help_);
+    layout->addWidget(makeButtons());
+
+    connect(&model_, &ParameterModel::refused, this, &ParameterForm::showRefusal);
+    connect(&model_, &ParameterModel::valuesChanged, this, [this] { showRefusal({}); });
+    connect(&model_, &QAbstractItemModel::dataChanged, this, [this] {
+        showRow(tree_->currentIndex());
+        updateButtons();
+    });
+    updateButtons();
+    showRow({});
+}
+
+void ParameterForm::makeTree() {
+    tree_ = new QTreeView(this);
+    tree_->setModel(&filter_);
+    auto* delegate = new ParameterDelegate(tree_);
+    tree_->setItemDelegate(delegate);
+    tree_->setAccessibleName(tr("Parameters"));
+    tree_->setUniformRowHeights(false);
+    tree_->setIndentation(0);
+    tree_->setRootIsDecorated(false);
+    tree_->setAllColumnsShowFocus(true);
+    tree_->setEditTriggers(QAbstractItemView::CurrentChanged | QAbstractItemView::SelectedClicked |
+                           QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed);
+    tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    tree_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    QHeaderView* header = tree_->header();
+    header->setSectionsMovable(false);
+    header->setStretchLastSection(false);
+    header->setSectionResizeMode(QHeaderView::Fixed);
+    header->setSectionResizeMode(ParameterModel::Name, QHeaderView::Stretch);
+    const QFontMetrics metrics(font());
+    header->resizeSection(ParameterModel::Default, metrics.horizontalAdvance("00 000.0"));
+    header->resizeSection(ParameterModel::Value, metrics.horizontalAdvance("00 000.000 +-"));
+    header->resizeSection(ParameterModel::Unit, metrics.horizontalAdvance("m/s² 0"));
+    header->resizeSection(ParameterModel::State, metrics.horizontalAdvance("✕ refused "));
+    connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
+        showRow(current);
+        // Whichever cell was hit, the value is what one edits.
+        const QModelIndex value = current.siblingAtColumn(ParameterModel::Value);
+        if (current.isValid() && current != value && value.flags().testFlag(Qt::ItemIsEditable))
+            QMetaObject::invokeMethod(
+                tree_, [this, value] { tree_->setCurrentIndex(value); }, Qt::QueuedConnection);
+    });
+    connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+        if (!index.data(ParameterModel::IsParameter).toBool())
+            tree_->setExpanded(index.siblingAtColumn(0), !tree_->isExpanded(index.siblingAtColumn(0)));
+    });
+    openGroups();
+}
+
+QWidget* ParameterForm::makeSearchRow() {
+    auto* row = new QWidget(this);
+    search_ = new QLineEdit(row);
+    search_->setPlaceholderText(tr("Find  Ctrl+F"));
+    search_->setClearButtonEnabled(true);
+    search_->setAccessibleName(tr("Find a parameter"));
+    changed_only_ = new QCheckBox(tr("Changed only"), row);
+    auto* preset = new QToolButton(row);
+    preset->setText(tr("Preset"));
+    preset->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(preset);
+    menu->addAction(tr("Load…"), this, &ParameterForm::loadFile);
+    menu->addAction(tr("Save…"), this, &ParameterForm::saveFile);
+    preset->setMenu(menu);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins({});
+    layout->addWidget(search_, 1);
+    layout->addWidget(changed_only_);
+    layout->addWidget(preset);
+    connect(search_, &QLineEdit::textChanged, this, [this](const QString& words) {
+        filter_.setSearch(words);
+        openGroups();
+    });
+    connect(changed_only_, &QCheckBox::toggled, this, [this](bool on) {
+        filter_.setChangedOnly(on);
+        openGroups();
+    });
+    return row;
+}
+
+QWidget* ParameterForm::makeButtons() {
+    auto* row = new QWidget(this);
+    undo_ = new QPushButton(tr("Undo"), row);
+    redo_ = new QPushButton(tr("Redo"), row);
+    reset_ = new QPushButton(tr("Default"), row);
+    reset_->setToolTip(tr("Sets the selected parameter back to its default"));
+    reset_all_ = new QPushButton(tr("All defaults"), row);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins({});
+    for (QPushButton* button : {undo_, redo_, reset_, reset_all_}) layout->addWidget(button);
+    layout->addStretch(1);
+    connect(undo_, &QPushButton::clicked, &model_.undoStack(), &QUndoStack::undo);
+    connect(redo_, &QPushButton::clicked, &model_.undoStack(), &QUndoStack::redo);
+    connect(reset_, &QPushButton::clicked, this, &ParameterForm::resetRow);
+    connect(reset_all_, &QPushButton::clicked, &model_, &ParameterModel::resetAll);
+    connect(&model_.undoStack(), &QUndoStack::indexChanged, this, &ParameterForm::updateButtons);
+    return row;
+}
+
+void ParameterForm::openGroups() {
+    tree_->expandAll();
+    for (int row = 0; row < filter_.rowCount(); ++row) tree_->setFirstColumnSpanned(row, {}, true);
+}
+
+QModelIndex ParameterForm::currentParameter() const {
+    const QModelIndex current = filter_.mapToSource(tree_->currentIndex());
+    return model_.info(current) ? current : QModelIndex();
+}
+
+void ParameterForm::showRow(const QModelIndex& current) {
+    const ParameterInfo* info = model_.info(filter_.mapToSource(current));
+    updateButtons();
+    if (!info) {
+        help_->setText(tr("Select a parameter to read what it does. Enter takes a value, Esc leaves it as it was."));
+        return;
+    }
+    const QString effect = info->effect == Effect::NextPing ? tr("ping") : tr("sweep");
+    help_->setText(QStringLiteral("<b>%1</b> — %2. ")
+                       .arg(QString::fromStdString(info->name), QString::fromStdString(info->help).toHtmlEscaped()) +
+                   tr("Default %1 %2. Takes effect at the next %3.")
+                       .arg(shownValue(info->default_value), QString::fromStdString(info->unit), effect));
+}
+
+void ParameterForm::showRefusal(const QString& reason) {
+    refusal_->setText(reason.isEmpty() ? QString() : tr("Refused: %1.").arg(reason));
+    refusal_->setVisible(!reason.isEmpty());
+}
+
+void ParameterForm::updateButtons() {
+    if (!undo_) return;
+    const QUndoStack& stack = model_.undoStack();
+    undo_->setEnabled(stack.canUndo());
+    undo_->setToolTip(stack.canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(stack.undoText()) : tr("Nothing to undo"));
+    redo_->setEnabled(stack.canRedo());
+    redo_->setToolTip(stack.canRedo() ? tr("Redo: %1 (Ctrl+Shift+Z)").arg(stack.redoText()) : tr("Nothing to redo"));
+    const QModelIndex row = currentParameter();
+    reset_->setEnabled(row.isValid() && row.data(ParameterModel::Changed).toBool());
+    reset_all_->setEnabled(model_.changedCount() > 0);
+}
+
+void ParameterForm::focusSearch() {
+    search_->setFocus(Qt::ShortcutFocusReason);
+    search_->selectAll();
+}
+
+void ParameterForm::resetRow() { model_.reset(currentParameter()); }
+
+void ParameterForm::loadFile() {
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Load a parameter set"), {}, fileFilter(), nullptr, own_dialog);
+    if (path.isEmpty()) return;
+    auto values = readParameterSet(path, model_.infos(), model_.values());
+    if (!values) {
+        Q_EMIT message(tr("Nothing was loaded. %1. Correct the file and load it again.")
+                           .arg(QString::fromStdString(values.error())),
+                       false);
+        return;
+    }
+    model_.change(std::move(*values), tr("load of %1").arg(QFileInfo(path).fileName()));
+    Q_EMIT message(tr("Parameters loaded from %1; Ctrl+Z takes them back.").arg(QFileInfo(path).fileName()), true);
+}
+
+void ParameterForm::saveFile() {
+    QString path =
+        QFileDialog::getSaveFileName(this, tr("Save the parameter set"), {}, fileFilter(), nullptr, own_dialog);
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += ".toml";
+    const auto written = writeParameterSet(path, model_.infos(), model_.values());
+    Q_EMIT message(written ? tr("Parameters saved to %1.").arg(path)
+                           : tr("%1. Choose another place.").arg(QString::fromStdString(written.error())),
+                   written.has_value());
+}
+
+}  // namespace echotrail

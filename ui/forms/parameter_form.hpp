@@ -1,0 +1,59 @@
+#pragma once
+
+#include "ui/forms/parameter_filter.hpp"
+#include "ui/forms/parameter_model.hpp"
+
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeView;
+
+namespace echotrail {
+
+/// The form grown from the descriptions of the parameters: find, change, undo, go back to defaults, keep in files.
+class ParameterForm : public QWidget {
+    Q_OBJECT
+
+public:
+    /// The model is not owned and must outlive the form.
+    explicit ParameterForm(ParameterModel& model, QWidget* parent = nullptr);
+
+    QTreeView& tree() { return *tree_; }
+    void focusSearch();
+
+public Q_SLOTS:
+    void loadFile();
+    void saveFile();
+    void resetRow();
+
+Q_SIGNALS:
+    /// A file was read or written (`ok`) or could not be: a line for the window's message strip.
+    void message(const QString& text, bool ok);
+
+private:
+    QWidget* makeSearchRow();
+    QWidget* makeButtons();
+    void makeTree();
+    void showRow(const QModelIndex& current);
+    void showRefusal(const QString& reason);
+    void openGroups();
+    void updateButtons();
+    QModelIndex currentParameter() const;
+
+    ParameterModel& model_;
+    ParameterFilter filter_;
+    QTreeView* tree_ = nullptr;
+    QLineEdit* search_ = nullptr;
+    QCheckBox* changed_only_ = nullptr;
+    QLabel* help_ = nullptr;
+    QLabel* refusal_ = nullptr;
+    QPushButton* undo_ = nullptr;
+    QPushButton* redo_ = nullptr;
+    QPushButton* reset_ = nullptr;
+    QPushButton* reset_all_ = nullptr;
+};
+
+}  // namespace echotrail

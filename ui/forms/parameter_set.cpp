@@ -1,0 +1,33 @@
+#include "ui/forms/parameter_set.hpp"
+
+#include <QSaveFile>
+#include <algorithm>
+
+namespace echotrail {
+
+Result<std::vector<ParameterValue>> readParameterSet(const QString& path, const std::vector<ParameterInfo>& infos,
+                                                     std::vector<ParameterValue> values) {
+    const auto assignments = readParameterFile(path.toStdString());
+    if (!assignments) return Error{assignments.error()};
+    for (const ParameterAssignment& assignment : *assignments) {
+        const std::string where = path.toStdString() + ":" + std::to_string(assignment.line) + ": ";
+        const auto named = std::find_if(infos.begin(), infos.end(),
+                                        [&](const ParameterInfo& info) { return info.name == assignment.name; });
+        if (named == infos.end()) return Error{where + unknownParameter(assignment.name, infos).message};
+        const auto checked = named->checked(assignment.value);
+        if (!checked) return Error{where + checked.error()};
+        values[static_cast<std::size_t>(named - infos.begin())] = *checked;
+    }
+    return values;
+}
+
+Result<void> writeParameterSet(const QString& path, const std::vector<ParameterInfo>& infos,
+                               const std::vector<ParameterValue>& values) {
+    QSaveFile file(path);
+    const auto text = QByteArray::fromStdString(parameterFileText(infos, values));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
+        return Error{path.toStdString() + " could not be written: " + file.errorString().toStdString()};
+    return {};
+}
+
+}  // namespace echotrail
