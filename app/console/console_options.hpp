@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/pipelines/scanning_sonar_pipeline.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace echotrail {
+
+/// The command line of echotrail-console, read and checked.
+struct ConsoleOptions {
+    std::string recording;  ///< empty: none
+    bool demonstration = false;
+    std::string screenshot;  ///< PNG file; empty: an ordinary session
+    std::optional<double> at_s;
+    std::string palette;  ///< empty: as last time
+    int width = 1600;
+    int height = 1000;
+    ScanningSonarPipeline::Params params;
+    std::uint64_t seed = 0;
+    std::optional<double> quit_after_s;
+};
+
+/// The options, or the exit code with everything said on the standard streams: 0 after --help, 2 for wrong usage.
+std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv);
+
+}  // namespace echotrail

@@ -1,0 +1,54 @@
+#include "console_options.hpp"
+#include "screenshot.hpp"
+#include "ui/main_window/main_window.hpp"
+
+#include <QApplication>
+#include <QSettings>
+#include <QTimer>
+#include <iostream>
+
+namespace {
+
+/// Whether there is anywhere to put a window. Qt would abort without saying what to do.
+bool haveDisplay() {
+    return !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") || !qEnvironmentVariableIsEmpty("DISPLAY") ||
+           !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace echotrail;
+    auto read = readConsoleOptions(argc, argv);
+    if (const int* code = std::get_if<int>(&read)) return *code;
+    const auto& options = std::get<ConsoleOptions>(read);
+    const bool picture = !options.screenshot.empty();
+    if (!haveDisplay()) {
+        if (!picture) {
+            std::cerr << "echotrail-console: there is no display; set DISPLAY, or use echotrail replay\n";
+            return 1;
+        }
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
+    QApplication app(argc, argv);
+    QApplication::setApplicationName("console");
+    QApplication::setOrganizationName("echotrail");
+    QApplication::setApplicationVersion(ECHOTRAIL_VERSION);
+    QApplication::setStyle("Fusion");
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+
+    MainWindow window({.remember = !picture, .play_on_open = !picture});
+    if (!options.palette.empty()) window.setTheme(themeFromName(QString::fromStdString(options.palette)));
+    window.bridge().setSeed(options.seed);
+    window.setParams(options.params);
+    window.resize(options.width, options.height);
+    window.show();
+    if (options.demonstration) window.openDemonstration();
+    if (!options.recording.empty()) window.openRecording(QString::fromStdString(options.recording));
+    if (picture)
+        new Screenshot(window, QString::fromStdString(options.screenshot), options.at_s,
+                       options.demonstration || !options.recording.empty());
+    if (options.quit_after_s)
+        QTimer::singleShot(static_cast<int>(*options.quit_after_s * 1000.0), &window, &QWidget::close);
+    return QApplication::exec();
+}

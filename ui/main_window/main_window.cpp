@@ -1,0 +1,258 @@
+#include "ui/main_window/main_window.hpp"
+
+#include "ui/main_window/dock_title.hpp"
+#include "ui/main_window/message_strip.hpp"
+#include "ui/main_window/recent_recordings.hpp"
+#include "ui/main_window/shortcuts_overlay.hpp"
+#include "ui/main_window/start_page.hpp"
+#include "ui/main_window/status_bar.hpp"
+#include "ui/panels/layers/layers_panel.hpp"
+#include "ui/panels/parameters/parameter_panel.hpp"
+#include "ui/panels/tracks/tracks_panel.hpp"
+#include "ui/panels/transport/timeline_view.hpp"
+#include "ui/panels/transport/transport_panel.hpp"
+#include "ui/style/formatter.hpp"
+#include "ui/views/fan_view.hpp"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMimeData>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace echotrail {
+namespace {
+
+constexpr int readout_interval_ms = 250;  // numbers change four times a second at most
+constexpr int layout_version = 1;
+
+}  // namespace
+
+MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(parent), options_(options) {
+    setWindowTitle(tr("Echotrail"));
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    makeCentre();
+    makeDocks();
+    makeStatusBars();
+    shortcuts_ = new ShortcutsOverlay(this);
+    makeMenus();
+    connectBridge();
+    qApp->installEventFilter(this);
+    first_layout_ = saveState(layout_version);
+    if (options_.remember) {
+        QSettings settings;
+        restoreGeometry(settings.value("geometry").toByteArray());
+        restoreState(settings.value("layout").toByteArray(), layout_version);
+        theme_ = themeFromName(settings.value("palette").toString());
+        start_->setRecent(recentRecordings());
+    }
+    setTheme(theme_);
+    showStart(true);
+}
+
+void MainWindow::makeCentre() {
+    auto* middle = new QWidget(this);
+    messages_ = new MessageStrip(middle);
+    centre_ = new QStackedWidget(middle);
+    start_ = new StartPage(centre_);
+    fan_ = new FanView(centre_);
+    centre_->addWidget(start_);
+    centre_->addWidget(fan_);
+    auto* column = new QVBoxLayout(middle);
+    column->setContentsMargins({});
+    column->setSpacing(0);
+    column->addWidget(messages_);
+    column->addWidget(centre_, 1);
+    setCentralWidget(middle);
+    connect(start_, &StartPage::demonstrationChosen, this, &MainWindow::openDemonstration);
+    connect(start_, &StartPage::openChosen, this, &MainWindow::askForRecording);
+    connect(start_, &StartPage::recentChosen, this, &MainWindow::openRecording);
+    connect(messages_, &MessageStrip::cancelled, this, [this] {
+        bridge_.cancelOpening();
+        opening_path_.clear();
+    });
+    connect(fan_, &FanView::designated, this, [this](double range_m, Bearing bearing) {
+        bridge_.designate(range_m, bearing.inRadians());
+        say(tr("Designated the echo at %1 %2; Delete takes it back.")
+                .arg(Formatter::range(range_m), Formatter::relativeBearing(bearing)),
+            true);
+    });
+}
+
+void MainWindow::makeDocks() {
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+    layers_ = new LayersPanel(*fan_, this);
+    tracks_ = new TracksPanel(this);
+    parameters_ = new ParameterPanel(bridge_, this);
+    transport_ = new TransportPanel(bridge_, this);
+    layers_dock_ = makeDock("layers", tr("Layers"), layers_, this);
+    tracks_dock_ = makeDock("tracks", tr("Tracks"), tracks_, this);
+    parameters_dock_ = makeDock("parameters", tr("Parameters"), parameters_, this);
+    time_line_dock_ = makeDock("time_line", tr("Time line"), transport_, this);
+    addDockWidget(Qt::LeftDockWidgetArea, layers_dock_);
+    addDockWidget(Qt::RightDockWidgetArea, tracks_dock_);
+    addDockWidget(Qt::RightDockWidgetArea, parameters_dock_);
+    addDockWidget(Qt::BottomDockWidgetArea, time_line_dock_);
+    // Widths in the proportions of the design: 252 and 378 of 1600.
+    const int line = fontMetrics().height();
+    resizeDocks({layers_dock_, tracks_dock_}, {14 * line, 22 * line}, Qt::Horizontal);
+    resizeDocks({tracks_dock_, parameters_dock_}, {12 * line, 30 * line}, Qt::Vertical);
+    resizeDocks({time_line_dock_}, {8 * line}, Qt::Vertical);
+    connect(parameters_, &ParameterPanel::message, this, &MainWindow::say);
+    connect(transport_, &TransportPanel::message, this, &MainWindow::say);
+    connect(parameters_, &ParameterPanel::summaryChanged, this,
+            [this](const QString& summary) { setSummary(parameters_dock_, summary); });
+    parameters_->showParams();
+}
+
+void MainWindow::makeStatusBars() {
+    auto* bar = new QToolBar(tr("Status"), this);
+    bar->setObjectName("status");
+    bar->setMovable(false);
+    bar->setFloatable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    status_ = new StatusBar(bar);
+    status_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(status_);
+    addToolBar(Qt::TopToolBarArea, bar);
+    setContextMenuPolicy(Qt::NoContextMenu);
+    connect(status_, &StatusBar::openClicked, this, &MainWindow::askForRecording);
+    connect(status_, &StatusBar::timeLineClicked, time_line_dock_, &QWidget::show);
+    connect(status_, &StatusBar::tracksClicked, tracks_dock_, &QWidget::show);
+    connect(status_, &StatusBar::themeClicked, this, &MainWindow::nextTheme);
+
+    foot_ = new QLabel(tr("No source open"), this);
+    auto* keys =
+        new QLabel(tr("Space play   ← → 5 s   Shift one sweep   Ctrl one ping   , . speed   ? shortcuts"), this);
+    foot_->setObjectName("dim");
+    keys->setObjectName("dim");
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->setContentsMargins(fontMetrics().height() / 2, 0, fontMetrics().height() / 2, 0);
+    statusBar()->addWidget(foot_, 1);
+    statusBar()->addPermanentWidget(keys);
+}
+
+void MainWindow::connectBridge() {
+    connect(&bridge_, &PipelineBridge::opening, this,
+            [this](const QString& name) { messages_->sayBusy(tr("Opening %1…").arg(name)); });
+    connect(&bridge_, &PipelineBridge::opened, this, &MainWindow::onOpened);
+    connect(&bridge_, &PipelineBridge::openFailed, this, [this](const QString& name, const QString& reason) {
+        opening_path_.clear();
+        say(tr("%1 was not opened: %2. Choose another file with Ctrl+O, or start the demonstration with Ctrl+D.")
+                .arg(name, reason),
+            false);
+    });
+    connect(&bridge_, &PipelineBridge::closed, this, [this] {
+        status_->showNothing();
+        showStart(true);
+    });
+    connect(&bridge_, &PipelineBridge::sceneChanged, this, &MainWindow::onScene);
+    connect(&bridge_, &PipelineBridge::statusChanged, this, &MainWindow::onStatus);
+    onStatus({});
+}
+
+void MainWindow::openRecording(const QString& path) {
+    opening_path_ = path;
+    bridge_.openRecording(path);
+}
+
+void MainWindow::openDemonstration() {
+    opening_path_.clear();
+    bridge_.openDemonstration();
+}
+
+void MainWindow::onOpened() {
+    messages_->clear();
+    const SourceInfo& info = bridge_.info();
+    if (!opening_path_.isEmpty() && options_.remember) {
+        rememberRecording(opening_path_);
+        start_->setRecent(recentRecordings());
+    }
+    opening_path_.clear();
+    setWindowTitle(QString::fromStdString(info.name) + tr(" — Echotrail"));
+    status_->showSource(info);
+    setSummary(time_line_dock_, QString::fromStdString(info.name));
+    showStart(false);
+    fan_->setFocus(Qt::OtherFocusReason);
+    QStringList foot{tr("Opened %1").arg(QString::fromStdString(info.name)), QString::fromStdString(info.head)};
+    for (const std::string& note : info.notes) foot << QString::fromStdString(note);
+    foot.removeAll(QString());
+    foot_->setText(foot.join("   "));
+    foot_->setToolTip(foot.join("\n"));
+    if (options_.play_on_open) bridge_.play();
+}
+
+void MainWindow::onScene(const std::shared_ptr<const Scene>& scene) {
+    fan_->setScene(scene);
+    const bool rests = bridge_.status().state != ReplayState::Playing;
+    if (!rests && readouts_.isValid() && readouts_.elapsed() < readout_interval_ms) return;
+    readouts_.start();
+    status_->showScene(*scene);
+    tracks_->setScene(*scene);
+    layers_->setScene(*scene);
+}
+
+void MainWindow::onStatus(const ReplayStatus& status) {
+    status_->showStatus(status);
+    const bool usable = bridge_.isOpen() && status.state != ReplayState::Failed;
+    for (QAction* action : need_source_) action->setEnabled(usable);
+    if (status.state == ReplayState::Failed && !status.error.empty())
+        say(tr("%1. Open the recording again with Ctrl+O.").arg(QString::fromStdString(status.error)), false);
+    // The last readouts of a play must not lag behind the picture they belong to.
+    if (status.state != ReplayState::Playing && bridge_.scene()) onScene(bridge_.scene());
+}
+
+void MainWindow::setParams(const PipelineBridge::Params& params) {
+    bridge_.setParams(params);
+    parameters_->showParams();
+}
+
+void MainWindow::say(const QString& text, bool ok) {
+    messages_->say(ok ? MessageStrip::Kind::Notice : MessageStrip::Kind::Problem, text);
+}
+
+void MainWindow::showStart(bool on) {
+    centre_->setCurrentWidget(on ? static_cast<QWidget*>(start_) : fan_);
+    if (on) start_->focusFirst();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (options_.remember) {
+        QSettings settings;
+        settings.setValue("geometry", saveGeometry());
+        settings.setValue("layout", saveState(layout_version));
+        settings.setValue("palette", themeName(theme_));
+    }
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const auto urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) { openRecording(event->mimeData()->urls().front().toLocalFile()); }
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    // Space belongs to play everywhere, so Enter presses the button that has the focus.
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        auto* button = qobject_cast<QAbstractButton*>(watched);
+        if (button && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
+            button->click();
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+}  // namespace echotrail

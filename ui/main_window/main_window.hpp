@@ -1,0 +1,111 @@
+#pragma once
+
+#include "ui/bridge/pipeline_bridge.hpp"
+#include "ui/style/palette.hpp"
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+
+class QAction;
+class QLabel;
+class QStackedWidget;
+
+namespace echotrail {
+
+class FanView;
+class LayersPanel;
+class MessageStrip;
+class ParameterPanel;
+class ShortcutsOverlay;
+class StartPage;
+class StatusBar;
+class TracksPanel;
+class TransportPanel;
+
+/// The console's window: the fan in the middle, docks about it, and the keys.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    struct Options {
+        bool remember = true;  ///< keep layout, palette and recent recordings in the settings
+        bool play_on_open = true;
+    };
+
+    explicit MainWindow(const Options& options, QWidget* parent = nullptr);
+
+    PipelineBridge& bridge() { return bridge_; }
+    FanView& fan() { return *fan_; }
+    ParameterPanel& parameters() { return *parameters_; }
+    TransportPanel& transport() { return *transport_; }
+    MessageStrip& messages() { return *messages_; }
+
+    void openRecording(const QString& path);
+    void openDemonstration();
+    void setTheme(Theme theme);
+    /// Parameters given from outside; the form shows them.
+    void setParams(const PipelineBridge::Params& params);
+    /// Writes a picture of the window, or of the fan only. False, and a line in the strip, where that failed.
+    bool saveScreenshot(const QString& path, bool fan_only = false);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void makeDocks();
+    void makeStatusBars();
+    void makeCentre();
+    void connectBridge();
+    void makeMenus();
+    void makeFileMenu();
+    void makeViewMenu();
+    void makeTrackMenu();
+    void makeRecordingMenu();
+    void makeParametersMenu();
+    void makeWindowMenu();
+    void makeHelpMenu();
+    QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& key, std::function<void()> act);
+    void fillRecentMenu();
+
+    void askForRecording();
+    void openLast();
+    void takeScreenshot(bool fan_only);
+    void nextTheme();
+    void showAbout();
+    void resetLayout();
+    void showStart(bool on);
+    void onOpened();
+    void onScene(const std::shared_ptr<const Scene>& scene);
+    void onStatus(const ReplayStatus& status);
+    void say(const QString& text, bool ok);
+
+    Options options_;
+    PipelineBridge bridge_;
+    QString opening_path_;
+    Theme theme_ = Theme::Dusk;
+    bool getting_brighter_ = false;
+    QElapsedTimer readouts_;
+    std::vector<QAction*> need_source_;  ///< grey without a recording
+    QByteArray first_layout_;
+    QMenu* recent_menu_ = nullptr;
+    QStackedWidget* centre_ = nullptr;
+    StartPage* start_ = nullptr;
+    FanView* fan_ = nullptr;
+    MessageStrip* messages_ = nullptr;
+    StatusBar* status_ = nullptr;
+    ShortcutsOverlay* shortcuts_ = nullptr;
+    LayersPanel* layers_ = nullptr;
+    TracksPanel* tracks_ = nullptr;
+    ParameterPanel* parameters_ = nullptr;
+    TransportPanel* transport_ = nullptr;
+    QDockWidget* layers_dock_ = nullptr;
+    QDockWidget* tracks_dock_ = nullptr;
+    QDockWidget* parameters_dock_ = nullptr;
+    QDockWidget* time_line_dock_ = nullptr;
+    QLabel* foot_ = nullptr;
+};
+
+}  // namespace echotrail

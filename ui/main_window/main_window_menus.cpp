@@ -1,0 +1,195 @@
+#include "ui/main_window/main_window.hpp"
+#include "ui/main_window/message_strip.hpp"
+#include "ui/main_window/recent_recordings.hpp"
+#include "ui/main_window/shortcuts_overlay.hpp"
+#include "ui/main_window/status_bar.hpp"
+#include "ui/panels/layers/layers_panel.hpp"
+#include "ui/panels/parameters/parameter_panel.hpp"
+#include "ui/panels/transport/transport_panel.hpp"
+#include "ui/views/fan_view.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QStandardPaths>
+
+namespace echotrail {
+namespace {
+
+constexpr double arrow_seconds = 5.0;
+
+}  // namespace
+
+void MainWindow::makeMenus() {
+    makeFileMenu();
+    makeViewMenu();
+    makeTrackMenu();
+    makeRecordingMenu();
+    makeParametersMenu();
+    makeWindowMenu();
+    makeHelpMenu();
+}
+
+QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySequence& key, std::function<void()> act) {
+    auto* action = menu.addAction(text);
+    action->setShortcut(key);
+    connect(action, &QAction::triggered, this, std::move(act));
+    return action;
+}
+
+void MainWindow::makeFileMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&File"));
+    addAction(menu, tr("&Open recording…"), QKeySequence::Open, [this] { askForRecording(); });
+    recent_menu_ = menu.addMenu(tr("Open &recent"));
+    connect(recent_menu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    addAction(menu, tr("Open the &last one again"), QKeySequence("Ctrl+Shift+O"), [this] { openLast(); });
+    addAction(menu, tr("&Demonstration"), QKeySequence("Ctrl+D"), [this] { openDemonstration(); });
+    need_source_.push_back(
+        addAction(menu, tr("&Close recording"), QKeySequence("Ctrl+W"), [this] { bridge_.close(); }));
+    menu.addSeparator();
+    addAction(menu, tr("Picture of the &window"), QKeySequence("S"), [this] { takeScreenshot(false); });
+    addAction(menu, tr("Picture of the &fan"), QKeySequence("W"), [this] { takeScreenshot(true); });
+    menu.addSeparator();
+    addAction(menu, tr("&Quit"), QKeySequence("Ctrl+Q"), [this] { close(); });
+}
+
+void MainWindow::fillRecentMenu() {
+    recent_menu_->clear();
+    for (const QString& path : recentRecordings())
+        recent_menu_->addAction(QFileInfo(path).fileName(), this, [this, path] { openRecording(path); })
+            ->setToolTip(path);
+    if (recent_menu_->isEmpty()) recent_menu_->addAction(tr("none"))->setEnabled(false);
+}
+
+void MainWindow::makeViewMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&View"));
+    addAction(menu, tr("Day, dusk, &night"), QKeySequence("F5"), [this] { nextTheme(); });
+    addAction(menu, tr("&Full screen"), QKeySequence("F11"),
+              [this] { isFullScreen() ? showNormal() : showFullScreen(); });
+}
+
+void MainWindow::makeTrackMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&Track"));
+    need_source_.push_back(addAction(menu, tr("&Clear the designation"), QKeySequence(Qt::Key_Delete),
+                                     [this] { bridge_.clearDesignation(); }));
+}
+
+void MainWindow::makeRecordingMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&Recording"));
+    const auto add = [&](const QString& text, const QKeySequence& key, std::function<void()> act) {
+        need_source_.push_back(addAction(menu, text, key, std::move(act)));
+    };
+    add(tr("&Play or pause"), QKeySequence(Qt::Key_Space), [this] { bridge_.togglePlay(); });
+    menu.addSeparator();
+    add(tr("5 s &back"), QKeySequence(Qt::Key_Left), [this] { bridge_.skipSeconds(-arrow_seconds); });
+    add(tr("5 s &on"), QKeySequence(Qt::Key_Right), [this] { bridge_.skipSeconds(arrow_seconds); });
+    add(tr("One sweep back"), QKeySequence("Shift+Left"), [this] { bridge_.stepSweep(-1); });
+    add(tr("One sweep on"), QKeySequence("Shift+Right"), [this] { bridge_.stepSweep(1); });
+    add(tr("One ping back"), QKeySequence("Ctrl+Left"), [this] { bridge_.stepPings(-1); });
+    add(tr("One ping on"), QKeySequence("Ctrl+Right"), [this] { bridge_.stepPings(1); });
+    add(tr("To the &start"), QKeySequence(Qt::Key_Home), [this] { bridge_.seekPosition(0); });
+    add(tr("To the &end"), QKeySequence(Qt::Key_End), [this] { bridge_.seekPosition(bridge_.status().total); });
+    menu.addSeparator();
+    add(tr("S&lower"), QKeySequence(","), [this] { transport_->changeSpeed(-1); });
+    add(tr("&Faster"), QKeySequence("."), [this] { transport_->changeSpeed(1); });
+}
+
+void MainWindow::makeParametersMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&Parameters"));
+    ParameterForm& form = parameters_->form();
+    QUndoStack& stack = parameters_->model().undoStack();
+    addAction(menu, tr("&Find…"), QKeySequence("Ctrl+F"), [this, &form] {
+        parameters_dock_->show();
+        parameters_dock_->raise();
+        form.focusSearch();
+    });
+    menu.addSeparator();
+    auto* undo = addAction(menu, tr("&Undo"), QKeySequence("Ctrl+Z"), [&stack] { stack.undo(); });
+    auto* redo = addAction(menu, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), [&stack] { stack.redo(); });
+    undo->setEnabled(false);
+    redo->setEnabled(false);
+    connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
+    connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+    menu.addSeparator();
+    addAction(menu, tr("&Load set…"), {}, [&form] { form.loadFile(); });
+    addAction(menu, tr("&Save set…"), {}, [&form] { form.saveFile(); });
+    menu.addSeparator();
+    addAction(menu, tr("Selected one to its &default"), {}, [&form] { form.resetRow(); });
+    addAction(menu, tr("&All to their defaults"), {}, [this] { parameters_->model().resetAll(); });
+}
+
+void MainWindow::makeWindowMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&Window"));
+    for (QDockWidget* dock : {layers_dock_, tracks_dock_, parameters_dock_, time_line_dock_})
+        menu.QWidget::addAction(dock->toggleViewAction());
+    menu.addSeparator();
+    addAction(menu, tr("&Reset layout"), {}, [this] { resetLayout(); });
+}
+
+void MainWindow::makeHelpMenu() {
+    QMenu& menu = *menuBar()->addMenu(tr("&Help"));
+    addAction(menu, tr("&Keyboard shortcuts"), QKeySequence("?"), [this] { shortcuts_->toggle(); });
+    addAction(menu, tr("&About"), {}, [this] { showAbout(); });
+}
+
+void MainWindow::askForRecording() {
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open a recording"), {}, tr("Recordings (*.V4LOG *.v4log *.bin);;All files (*)"), nullptr,
+        QFileDialog::DontUseNativeDialog);  // the desktop's own would not follow the palette
+    if (!path.isEmpty()) openRecording(path);
+}
+
+void MainWindow::openLast() {
+    const QStringList paths = recentRecordings();
+    if (paths.isEmpty())
+        say(tr("No recording was opened before, or they are gone. Choose one with Ctrl+O."), false);
+    else
+        openRecording(paths.front());
+}
+
+bool MainWindow::saveScreenshot(const QString& path, bool fan_only) {
+    const QPixmap picture = fan_only ? fan_->grab() : grab();
+    if (picture.save(path)) return true;
+    say(tr("The picture could not be written to %1. Free some space or choose another folder.").arg(path), false);
+    return false;
+}
+
+void MainWindow::takeScreenshot(bool fan_only) {
+    QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    if (folder.isEmpty() || !QDir().mkpath(folder)) folder = QDir::homePath();
+    const QString moment = QDateTime::currentDateTimeUtc().toString("yyyyMMdd'T'HHmmss.zzz'Z'");
+    const QString path = folder + "/echotrail-" + (fan_only ? "fan-" : "") + moment + ".png";
+    if (saveScreenshot(path, fan_only)) say(tr("Picture written to %1.").arg(path), true);
+}
+
+void MainWindow::setTheme(Theme theme) {
+    theme_ = theme;
+    applyTheme(*qApp, theme);
+    status_->showTheme(themeTitle(theme));
+    update();
+}
+
+void MainWindow::nextTheme() {
+    // Day, dusk, night, dusk, day: the eyes never jump from the darkest to the brightest.
+    if (theme_ == Theme::Night) getting_brighter_ = true;
+    if (theme_ == Theme::Day) getting_brighter_ = false;
+    setTheme(theme_ == Theme::Dusk ? (getting_brighter_ ? Theme::Day : Theme::Night) : Theme::Dusk);
+}
+
+void MainWindow::resetLayout() {
+    restoreState(first_layout_, 1);
+    for (QDockWidget* dock : {layers_dock_, tracks_dock_, parameters_dock_, time_line_dock_}) dock->show();
+}
+
+void MainWindow::showAbout() {
+    say(tr("Echotrail %1: operator console and tracker for a mechanically scanned sonar. GPL-3.0-or-later.")
+            .arg(QApplication::applicationVersion()),
+        true);
+}
+
+}  // namespace echotrail

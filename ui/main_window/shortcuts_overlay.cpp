@@ -1,0 +1,102 @@
+#include "ui/main_window/shortcuts_overlay.hpp"
+
+#include "ui/style/palette.hpp"
+
+#include <QEvent>
+#include <QKeyEvent>
+#include <QPainter>
+#include <array>
+#include <utility>
+
+namespace echotrail {
+namespace {
+
+constexpr std::array<std::pair<const char*, const char*>, 20> keys{{
+    {"Space", QT_TRANSLATE_NOOP("ShortcutsOverlay", "play or pause")},
+    {"← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "5 s back or on")},
+    {"Shift ← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "one sweep back or on")},
+    {"Ctrl ← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "one ping back or on")},
+    {"Home End", QT_TRANSLATE_NOOP("ShortcutsOverlay", "start, end of the recording")},
+    {", .", QT_TRANSLATE_NOOP("ShortcutsOverlay", "slower, faster")},
+    {"Click", QT_TRANSLATE_NOOP("ShortcutsOverlay", "on an echo or a track: designate it")},
+    {"Delete", QT_TRANSLATE_NOOP("ShortcutsOverlay", "clear the designation")},
+    {"+ − wheel", QT_TRANSLATE_NOOP("ShortcutsOverlay", "zoom the fan")},
+    {"F5", QT_TRANSLATE_NOOP("ShortcutsOverlay", "day, dusk, night")},
+    {"F11", QT_TRANSLATE_NOOP("ShortcutsOverlay", "full screen")},
+    {"S", QT_TRANSLATE_NOOP("ShortcutsOverlay", "picture of the window")},
+    {"W", QT_TRANSLATE_NOOP("ShortcutsOverlay", "picture of the fan only")},
+    {"Ctrl O", QT_TRANSLATE_NOOP("ShortcutsOverlay", "open a recording")},
+    {"Ctrl Shift O", QT_TRANSLATE_NOOP("ShortcutsOverlay", "open the last recording again")},
+    {"Ctrl D", QT_TRANSLATE_NOOP("ShortcutsOverlay", "demonstration")},
+    {"Ctrl F", QT_TRANSLATE_NOOP("ShortcutsOverlay", "find a parameter")},
+    {"Ctrl Z", QT_TRANSLATE_NOOP("ShortcutsOverlay", "undo a parameter; with Shift: redo")},
+    {"Esc", QT_TRANSLATE_NOOP("ShortcutsOverlay", "leave an edit or this sheet")},
+    {"?", QT_TRANSLATE_NOOP("ShortcutsOverlay", "this sheet")},
+}};
+
+}  // namespace
+
+ShortcutsOverlay::ShortcutsOverlay(QWidget* window) : QWidget(window) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Keyboard shortcuts"));
+    window->installEventFilter(this);
+    hide();
+}
+
+void ShortcutsOverlay::toggle() {
+    if (isVisible()) {
+        hide();
+        return;
+    }
+    setGeometry(parentWidget()->rect());
+    raise();
+    show();
+    setFocus(Qt::PopupFocusReason);
+}
+
+bool ShortcutsOverlay::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && isVisible()) setGeometry(parentWidget()->rect());
+    return QWidget::eventFilter(watched, event);
+}
+
+void ShortcutsOverlay::mousePressEvent(QMouseEvent*) { hide(); }
+
+void ShortcutsOverlay::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape)
+        hide();
+    else
+        QWidget::keyPressEvent(event);
+}
+
+void ShortcutsOverlay::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const Palette& colours = currentPalette();
+    QColor veil = colours.window;
+    veil.setAlphaF(0.75F);
+    painter.fillRect(rect(), veil);
+    const int line = fontMetrics().height();
+    const int row = line * 3 / 2;
+    const int key_width = line * 7;
+    QRect sheet(0, 0, line * 28, row * (static_cast<int>(keys.size()) + 2));
+    sheet.moveCenter(rect().center());
+    painter.fillRect(sheet, colours.panel);
+    painter.setPen(colours.strong_line);
+    painter.drawRect(sheet);
+    QFont strong = font();
+    strong.setWeight(QFont::DemiBold);
+    QRect at(sheet.left() + line, sheet.top() + line / 2, sheet.width() - 2 * line, row);
+    painter.setFont(strong);
+    painter.setPen(colours.text);
+    painter.drawText(at, Qt::AlignVCenter, tr("Keys"));
+    for (const auto& [key, meaning] : keys) {
+        at.translate(0, row);
+        painter.setFont(strong);
+        painter.setPen(colours.text);
+        painter.drawText(at, Qt::AlignVCenter, QString::fromUtf8(key));
+        painter.setFont(font());
+        painter.setPen(colours.dim);
+        painter.drawText(at.adjusted(key_width, 0, 0, 0), Qt::AlignVCenter, tr(meaning));
+    }
+}
+
+}  // namespace echotrail

@@ -1,0 +1,170 @@
+#include "ui/main_window/status_bar.hpp"
+
+#include "ui/main_window/status_chip.hpp"
+#include "ui/panels/transport/transport_panel.hpp"
+#include "ui/style/formatter.hpp"
+#include "ui/style/palette.hpp"
+
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolButton>
+#include <numeric>
+
+namespace echotrail {
+namespace {
+
+using Health = StatusChip::Health;
+
+constexpr int word_lines = 5;  ///< width of the word REPLAY, in lines of text
+
+}  // namespace
+
+StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins({});
+    row->setSpacing(0);
+    row->addSpacing(0);
+    file_ = addChip(*row, tr("FILE"));
+    position_ = addChip(*row, tr("POSITION"));
+    speed_ = addChip(*row, tr("SPEED"));
+    pings_ = addChip(*row, tr("PINGS"));
+    track_ = addChip(*row, tr("TRACK"));
+    row->addStretch(1);
+    utc_ = addChip(*row, tr("UTC"));
+    theme_ = new QToolButton(this);
+    theme_->setAutoRaise(true);
+    theme_->setToolTip(tr("Day, dusk or night (F5)"));
+    theme_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+    row->addWidget(theme_);
+    connect(file_, &QAbstractButton::clicked, this, &StatusBar::openClicked);
+    for (StatusChip* chip : {position_, speed_, pings_, utc_})
+        connect(chip, &QAbstractButton::clicked, this, &StatusBar::timeLineClicked);
+    connect(track_, &QAbstractButton::clicked, this, &StatusBar::tracksClicked);
+    connect(theme_, &QToolButton::clicked, this, &StatusBar::themeClicked);
+    showNothing();
+}
+
+StatusChip* StatusBar::addChip(QHBoxLayout& row, const QString& label) {
+    auto* chip = new StatusChip(label, this);
+    row.addWidget(chip);
+    return chip;
+}
+
+void StatusBar::showNothing() {
+    replay_ = false;
+    layout()->setContentsMargins({});
+    for (StatusChip* chip : {file_, position_, speed_, pings_, track_}) chip->show(Health::Absent, {});
+    utc_->show(Health::Plain, {});
+    update();
+}
+
+void StatusBar::showSource(const SourceInfo& info) {
+    replay_ = true;
+    layout()->setContentsMargins(word_lines * fontMetrics().height(), 0, 0, 0);
+    file_->show(Health::Plain, QString::fromStdString(info.name),
+                info.format.empty() ? tr("read only") : tr("%1 · read only").arg(QString::fromStdString(info.format)));
+    QStringList notes{QString::fromStdString(info.head)};
+    for (const std::string& note : info.notes) notes << QString::fromStdString(note);
+    file_->setToolTip(notes.join('\n'));
+    track_->show(Health::Absent, {});
+    utc_->show(Health::Plain, {});
+    update();
+}
+
+void StatusBar::showStatus(const ReplayStatus& status) {
+    if (!replay_) return;
+    QString state;
+    switch (status.state) {
+        case ReplayState::Loading:
+            state = tr("reading");
+            break;
+        case ReplayState::Paused:
+            state = tr("paused");
+            break;
+        case ReplayState::Playing:
+            state = tr("playing");
+            break;
+        case ReplayState::Ended:
+            state = tr("at the end");
+            break;
+        case ReplayState::Failed:
+            state = tr("stopped");
+            break;
+    }
+    speed_->show(status.state == ReplayState::Failed ? Health::Degraded : Health::Plain, speedText(status.speed),
+                 state);
+    position_->show(Health::Plain, tr("ping %1").arg(Formatter::count(status.position)),
+                    tr("of %1").arg(Formatter::count(status.total)));
+}
+
+void StatusBar::showCounts(const SourceCounts& counts) {
+    const auto rejected = std::accumulate(counts.rejected.begin(), counts.rejected.end(), std::uint64_t{0},
+                                          [](std::uint64_t sum, const auto& cause) { return sum + cause.second; });
+    QStringList causes;
+    for (const auto& [cause, count] : counts.rejected)
+        causes << QString::fromStdString(cause) + ": " + Formatter::count(count);
+    if (counts.lost_records > 0) causes << tr("lost records: %1").arg(Formatter::count(counts.lost_records));
+    if (counts.skipped_bytes > 0)
+        causes << tr("bytes outside any frame: %1").arg(Formatter::count(counts.skipped_bytes));
+    pings_->setToolTip(causes.isEmpty() ? tr("Every record of the file was read") : causes.join('\n'));
+    const bool clean = rejected == 0 && counts.lost_records == 0;
+    pings_->show(clean ? Health::Good : Health::Degraded, tr("%1 rejected").arg(Formatter::count(rejected)),
+                 counts.lost_records > 0 ? tr("%1 lost").arg(Formatter::count(counts.lost_records)) : QString());
+}
+
+void StatusBar::showTrack(const Scene& scene) {
+    const Track* target = nullptr;
+    std::size_t confirmed = 0;
+    for (const Track& track : scene.tracks) {
+        if (track.target) target = &track;
+        if (track.state == TrackState::Confirmed || track.state == TrackState::Coasting) ++confirmed;
+    }
+    if (target) {
+        const bool fine = target->state == TrackState::Confirmed;
+        const double age = secondsBetween(target->last_seen, scene.latest.time);
+        track_->show(fine ? Health::Good : Health::Degraded, Formatter::trackId(target->id),
+                     QString::fromUtf8(toText(target->state).data(), static_cast<int>(toText(target->state).size())) +
+                         tr(" · seen %1 ago").arg(Formatter::age(age)));
+    } else {
+        track_->show(confirmed > 0 ? Health::Good : Health::Absent,
+                     confirmed > 0 ? Formatter::count(confirmed) : QString(),
+                     confirmed > 0 ? tr("confirmed, none designated") : tr("none confirmed"));
+    }
+}
+
+void StatusBar::showScene(const Scene& scene) {
+    showCounts(scene.counts);
+    if (scene.position == 0) {
+        utc_->show(Health::Plain, {});
+        return;
+    }
+    utc_->show(Health::Plain, Formatter::utc(scene.latest.time));
+    showTrack(scene);
+}
+
+void StatusBar::showTheme(const QString& name) { theme_->setText(QStringLiteral("◐ ") + name); }
+
+void StatusBar::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const Palette& colours = currentPalette();
+    painter.fillRect(rect(), colours.raised);
+    const int edge = std::max(1, fontMetrics().height() / 8);
+    if (!replay_) {
+        painter.fillRect(QRect(0, height() - 1, width(), 1), colours.line);
+        return;
+    }
+    QColor tint = colours.warning;
+    tint.setAlphaF(0.22F);
+    painter.fillRect(rect(), tint);
+    painter.fillRect(QRect(0, height() - edge, width(), edge), colours.warning);
+    const QRect word(0, 0, word_lines * fontMetrics().height(), height());
+    painter.fillRect(word, colours.warning);
+    QFont strong = font();
+    strong.setWeight(QFont::Bold);
+    strong.setLetterSpacing(QFont::AbsoluteSpacing, 1.0);
+    painter.setFont(strong);
+    painter.setPen(colours.panel);
+    painter.drawText(word, Qt::AlignCenter, tr("REPLAY"));
+}
+
+}  // namespace echotrail

@@ -1,0 +1,106 @@
+#include "ui/main_window/status_chip.hpp"
+
+#include "ui/style/formatter.hpp"
+#include "ui/style/palette.hpp"
+
+#include <QPainter>
+
+namespace echotrail {
+namespace {
+
+QFont bold(QFont font) {
+    font.setWeight(QFont::DemiBold);
+    return font;
+}
+
+}  // namespace
+
+StatusChip::StatusChip(const QString& label, QWidget* parent) : QAbstractButton(parent), label_(label) {
+    setFocusPolicy(Qt::TabFocus);
+    show(Health::Absent, {});
+}
+
+void StatusChip::show(Health health, const QString& value, const QString& detail) {
+    const QString shown = value.isEmpty() ? Formatter::unknown() : value;
+    if (health == health_ && shown == value_ && detail == detail_) return;
+    health_ = health;
+    value_ = shown;
+    detail_ = detail;
+    setAccessibleName(label_ + " " + value_ + " " + detail_);
+    updateGeometry();
+    update();
+}
+
+void StatusChip::setOnBright(bool on) {
+    on_bright_ = on;
+    update();
+}
+
+QSize StatusChip::sizeHint() const {
+    const QFontMetrics strong(bold(font()));
+    const int space = fontMetrics().averageCharWidth();
+    int width = 4 * space + fontMetrics().horizontalAdvance(label_) + strong.horizontalAdvance(value_);
+    if (health_ != Health::Plain) width += fontMetrics().height();
+    if (!detail_.isEmpty()) width += space + fontMetrics().horizontalAdvance(detail_);
+    return {width, fontMetrics().height() * 2};
+}
+
+void StatusChip::paintMark(QPainter& painter, const QRectF& box) const {
+    const Palette& colours = currentPalette();
+    painter.setPen(Qt::NoPen);
+    switch (health_) {
+        case Health::Plain:
+            break;
+        case Health::Good:
+            painter.setBrush(colours.ok);
+            painter.drawEllipse(box);
+            break;
+        case Health::Degraded:
+            painter.setBrush(colours.warning);
+            painter.drawRect(box);
+            painter.setPen(QPen(colours.panel, box.width() / 6));
+            painter.drawLine(QPointF(box.center().x(), box.top() + box.height() * 0.2),
+                             QPointF(box.center().x(), box.top() + box.height() * 0.6));
+            painter.drawPoint(QPointF(box.center().x(), box.top() + box.height() * 0.8));
+            break;
+        case Health::Absent:
+            painter.setBrush(Qt::NoBrush);
+            painter.setPen(QPen(colours.dim, box.width() / 7));
+            painter.drawEllipse(box.adjusted(1, 1, -1, -1));
+            break;
+    }
+}
+
+void StatusChip::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Palette& colours = currentPalette();
+    const double space = fontMetrics().averageCharWidth();
+    double x = 1.5 * space;
+    if (health_ != Health::Plain) {
+        const double side = 0.6 * fontMetrics().height();
+        paintMark(painter, QRectF(x, (height() - side) / 2.0, side, side));
+        x += fontMetrics().height();
+    }
+    const auto write = [&](const QString& text, const QFont& font, const QColor& colour) {
+        painter.setFont(font);
+        painter.setPen(colour);
+        painter.drawText(QRectF(x, 0, width() - x - space, height()), Qt::AlignLeft | Qt::AlignVCenter, text);
+        x += QFontMetrics(font).horizontalAdvance(text) + space;
+    };
+    write(label_, font(), on_bright_ ? colours.text : colours.dim);
+    write(value_, bold(font()), health_ == Health::Degraded && !on_bright_ ? colours.warning : colours.text);
+    write(detail_, font(), on_bright_ ? colours.text : colours.dim);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colours.line, 1.0));
+    painter.drawLine(QPointF(width() - 0.5, 0), QPointF(width() - 0.5, height()));
+    if (health_ == Health::Degraded) {
+        painter.setPen(QPen(colours.warning, 1.0));
+        painter.drawRect(QRectF(rect()).adjusted(1.5, 1.5, -2.5, -1.5));
+    } else if (hasFocus() || underMouse()) {
+        painter.setPen(QPen(colours.accent, 1.0));
+        painter.drawRect(QRectF(rect()).adjusted(1.5, 1.5, -2.5, -1.5));
+    }
+}
+
+}  // namespace echotrail

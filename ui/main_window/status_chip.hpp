@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QAbstractButton>
+
+namespace echotrail {
+
+/// One thing that can be well or not, in the bar at the top: a mark whose shape says how it stands, a label, the value
+/// and its detail. A click opens what it speaks of.
+class StatusChip : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    enum class Health { Plain, Good, Degraded, Absent };
+
+    explicit StatusChip(const QString& label, QWidget* parent = nullptr);
+    /// An empty value shows as unknown.
+    void show(Health health, const QString& value, const QString& detail = {});
+    /// Text painted dark on a bright bar.
+    void setOnBright(bool on);
+    QString value() const { return value_; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return {fontMetrics().averageCharWidth() * 6, sizeHint().height()}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void paintMark(QPainter& painter, const QRectF& box) const;
+
+    QString label_;
+    QString value_;
+    QString detail_;
+    Health health_ = Health::Absent;
+    bool on_bright_ = false;
+};
+
+}  // namespace echotrail

@@ -1,0 +1,195 @@
+#include "ui/panels/transport/transport_panel.hpp"
+
+#include "ui/panels/transport/moment.hpp"
+#include "ui/panels/transport/timeline_view.hpp"
+#include "ui/panels/transport/transport_button.hpp"
+#include "ui/style/formatter.hpp"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <algorithm>
+
+namespace echotrail {
+
+const std::vector<double>& offeredSpeeds() {
+    static const std::vector<double> speeds{0.1, 0.25, 0.5, 1, 2, 4, 8, 16, 32, 64, ReplayRunner::max_speed};
+    return speeds;
+}
+
+QString speedText(double factor) {
+    return factor == ReplayRunner::max_speed ? TransportPanel::tr("max") : QString::number(factor) + QChar(0x00D7);
+}
+
+TransportPanel::TransportPanel(PipelineBridge& bridge, QWidget* parent) : QWidget(parent), bridge_(bridge) {
+    timeline_ = new TimelineView(this);
+    auto* row = new QHBoxLayout;
+    row->addLayout(makeControls());
+    row->addLayout(makeReadouts(), 1);
+    auto* layout = new QVBoxLayout(this);
+    const int gap = fontMetrics().height() / 2;
+    layout->setContentsMargins(0, 0, 0, gap);
+    layout->setSpacing(gap);
+    layout->addWidget(timeline_, 1);
+    row->setContentsMargins(gap, 0, gap, 0);
+    layout->addLayout(row);
+
+    connect(timeline_, &TimelineView::seekRequested, &bridge_, &PipelineBridge::seekPosition);
+    connect(&bridge_, &PipelineBridge::statusChanged, this, &TransportPanel::showStatus);
+    connect(&bridge_, &PipelineBridge::timelineChanged, this, [this](const Timeline& timeline) {
+        timeline_->setTimeline(timeline);
+        showTimes(bridge_.status());
+    });
+    connect(&bridge_, &PipelineBridge::opened, this, [this] { setLoop(std::nullopt); });
+    connect(&bridge_, &PipelineBridge::closed, this, [this] {
+        timeline_->setTimeline({});
+        showStatus({});
+    });
+    showStatus({});
+}
+
+QLayout* TransportPanel::makeControls() {
+    auto* row = new QHBoxLayout;
+    using Sign = TransportButton::Sign;
+    const auto add = [&](Sign sign, const QString& name, const QString& keys, auto slot) {
+        auto* button = new TransportButton(sign, name, keys, this);
+        connect(button, &QToolButton::clicked, this, slot);
+        buttons_.push_back(button);
+        row->addWidget(button);
+        return button;
+    };
+    add(Sign::ToStart, tr("To the start"), "Home", [this] { bridge_.seekPosition(0); });
+    add(Sign::StepBack, tr("One ping back"), "Ctrl+Left", [this] { bridge_.stepPings(-1); });
+    play_ = add(Sign::Play, tr("Play or pause"), "Space", [this] { bridge_.togglePlay(); });
+    play_->setMinimumWidth(play_->sizeHint().width() * 2);
+    add(Sign::StepForward, tr("One ping on"), "Ctrl+Right", [this] { bridge_.stepPings(1); });
+    add(Sign::ToEnd, tr("To the end"), "End", [this] { bridge_.seekPosition(bridge_.status().total); });
+
+    speed_ = new QComboBox(this);
+    speed_->setAccessibleName(tr("Speed"));
+    speed_->setToolTip(tr("Seconds of the recording per second (, slower  . faster)"));
+    for (const double factor : offeredSpeeds()) speed_->addItem(speedText(factor), factor);
+    speed_->setCurrentText(speedText(1.0));
+    connect(speed_, &QComboBox::currentIndexChanged, this,
+            [this](int row_index) { bridge_.setSpeed(offeredSpeeds()[static_cast<std::size_t>(row_index)]); });
+    row->addWidget(speed_);
+    loop_button_ = new QPushButton(tr("Loop from here"), this);
+    loop_button_->setToolTip(tr("Sets A, then B, then ends the loop"));
+    connect(loop_button_, &QPushButton::clicked, this, &TransportPanel::loopHere);
+    row->addWidget(loop_button_);
+    return row;
+}
+
+QLayout* TransportPanel::makeReadouts() {
+    auto* row = new QHBoxLayout;
+    utc_ = new QLabel(this);
+    utc_->setObjectName("clock");
+    elapsed_ = new QLabel(this);
+    elapsed_->setObjectName("dim");
+    busy_ = new QLabel(this);
+    cancel_ = new QPushButton(tr("Cancel"), this);
+    cancel_->setToolTip(tr("Stops where the run has got to"));
+    connect(cancel_, &QPushButton::clicked, &bridge_, &PipelineBridge::cancelSeek);
+    auto* label = new QLabel(tr("Go to"), this);
+    label->setObjectName("dim");
+    go_to_ = new QLineEdit(this);
+    go_to_->setPlaceholderText(tr("UTC or 0:00:12.5"));
+    go_to_->setAccessibleName(tr("Go to a moment"));
+    go_to_->setMinimumWidth(fontMetrics().averageCharWidth() * 28);
+    go_to_->setMaximumWidth(fontMetrics().averageCharWidth() * 34);
+    connect(go_to_, &QLineEdit::returnPressed, this, &TransportPanel::goToTyped);
+    row->addSpacing(fontMetrics().height() / 2);
+    row->addWidget(utc_);
+    row->addWidget(elapsed_);
+    row->addSpacing(fontMetrics().height() / 2);
+    row->addWidget(busy_);
+    row->addWidget(cancel_);
+    row->addStretch(1);
+    row->addWidget(label);
+    row->addWidget(go_to_);
+    return row;
+}
+
+void TransportPanel::showStatus(const ReplayStatus& status) {
+    const bool open = bridge_.isOpen() && status.total > 0 && status.state != ReplayState::Failed;
+    for (TransportButton* button : buttons_) button->setEnabled(open);
+    loop_button_->setEnabled(open);
+    go_to_->setEnabled(open);
+    const bool playing = status.state == ReplayState::Playing;
+    play_->setSign(playing ? TransportButton::Sign::Pause : TransportButton::Sign::Play);
+    timeline_->setPosition(status.position, status.goal);
+    const bool travelling = open && status.goal != status.position;
+    if (travelling)
+        busy_->setText(
+            tr("re-running: ping %1 of %2").arg(Formatter::count(status.position), Formatter::count(status.goal)));
+    else if (open && status.analysing)
+        busy_->setText(tr("working out the time line"));
+    else if (open && status.state == ReplayState::Loading)
+        busy_->setText(tr("reading: %1 pings").arg(Formatter::count(status.total)));
+    else if (status.state == ReplayState::Ended)
+        busy_->setText(tr("end of the recording; Space plays it again"));
+    else
+        busy_->clear();
+    cancel_->setVisible(travelling);
+    showTimes(status);
+}
+
+void TransportPanel::showTimes(const ReplayStatus& status) {
+    const Timeline& timeline = bridge_.timeline();
+    if (timeline.pings() == 0) {
+        utc_->setText(Formatter::unknown());
+        elapsed_->clear();
+        return;
+    }
+    const auto& times = *timeline.ping_times;
+    const double length = secondsBetween(times.front(), times.back());
+    const bool before = status.position == 0;
+    const Timestamp now = times[std::min<std::uint64_t>(std::max<std::uint64_t>(status.position, 1), times.size()) - 1];
+    utc_->setText(before ? Formatter::unknown() : Formatter::utc(now));
+    elapsed_->setText(
+        tr("%1 of %2")
+            .arg(before ? Formatter::unknown() : elapsedText(secondsBetween(times.front(), now)), elapsedText(length)));
+}
+
+void TransportPanel::goToTyped() {
+    const Timeline& timeline = bridge_.timeline();
+    if (timeline.pings() == 0) return;
+    const auto& times = *timeline.ping_times;
+    const auto moment = momentFromText(go_to_->text(), times.front());
+    if (!moment || *moment < times.front() || *moment > times.back() + std::chrono::seconds(1)) {
+        Q_EMIT message(tr("“%1” is not in this recording. Type seconds from its start, as 0:00:12.5, or a UTC time "
+                          "from %2 to %3.")
+                           .arg(go_to_->text(), Formatter::utc(times.front()), Formatter::utc(times.back())),
+                       false);
+        go_to_->selectAll();
+        return;
+    }
+    bridge_.seekSeconds(secondsBetween(times.front(), *moment));
+}
+
+void TransportPanel::changeSpeed(int steps) {
+    speed_->setCurrentIndex(std::clamp(speed_->currentIndex() + steps, 0, speed_->count() - 1));
+}
+
+void TransportPanel::loopHere() {
+    const std::uint64_t here = bridge_.status().goal;
+    if (loop_) return setLoop(std::nullopt);
+    if (!loop_begin_) {
+        loop_begin_ = here;
+        loop_button_->setText(tr("Loop until here"));
+        return;
+    }
+    setLoop(PingSpan{std::min(*loop_begin_, here), std::max(*loop_begin_ + 1, here)});
+}
+
+void TransportPanel::setLoop(std::optional<PingSpan> loop) {
+    loop_ = loop;
+    loop_begin_.reset();
+    loop_button_->setText(loop ? tr("End loop") : tr("Loop from here"));
+    timeline_->setLoop(loop);
+    bridge_.setLoop(loop);
+}
+
+}  // namespace echotrail
