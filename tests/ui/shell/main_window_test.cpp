@@ -1,0 +1,161 @@
+#include "ui/main_window/main_window.hpp"
+
+#include "qt_environment.hpp"
+#include "ui/main_window/message_strip.hpp"
+#include "ui/panels/parameters/parameter_panel.hpp"
+#include "ui/views/fan_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace echotrail {
+namespace {
+
+using test::await;
+
+/// Perceived brightness of the brightest pixel, 0…255.
+int brightest(const QImage& picture) {
+    int most = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) most = std::max(most, qGray(picture.pixel(x, y)));
+    return most;
+}
+
+class MainWindowTest : public testing::TestWithParam<Theme> {
+protected:
+    MainWindowTest() {
+        window_.resize(1600, 1000);
+        window_.setTheme(GetParam());
+        window_.show();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&window_));
+    }
+    void openScan(std::uint64_t pings) {
+        window_.bridge().open("scan", test::scanOpener(pings));
+        ASSERT_TRUE(await([&] { return window_.bridge().isOpen(); }));
+    }
+
+    MainWindow window_{MainWindow::Options{.remember = false}};
+};
+
+TEST_P(MainWindowTest, OpensARecordingPlaysItAndStaysUsable) {
+    openScan(200);
+    ASSERT_TRUE(await([&] { return window_.bridge().status().position > 2; })) << "it plays by itself";
+    QTest::keyClick(&window_, Qt::Key_Space);
+    ASSERT_TRUE(await([&] { return window_.bridge().status().state == ReplayState::Paused; }));
+    QTest::keyClick(&window_, Qt::Key_End);
+    ASSERT_TRUE(await([&] { return window_.bridge().status().state == ReplayState::Ended; }));
+    QTest::keyClick(&window_, Qt::Key_Left, Qt::ControlModifier);
+    ASSERT_TRUE(await([&] { return window_.bridge().scene()->position == 199; }));
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+}
+
+TEST_P(MainWindowTest, NoWidgetIsWhiteAtNightAndNothingIsLeftUnthemed) {
+    openScan(60);
+    window_.bridge().pause();
+    window_.bridge().seekPosition(50);
+    ASSERT_TRUE(await([&] { return window_.bridge().scene() && window_.bridge().scene()->position == 50; }));
+    const QImage picture = window_.grab().toImage();
+    const bool night = GetParam() == Theme::Night;
+    const bool day = GetParam() == Theme::Day;
+    EXPECT_LT(brightest(picture), night ? 190 : 256);
+    EXPECT_GT(brightest(picture), day ? 230 : 0);
+    const auto& children = window_.findChildren<QWidget*>();
+    for (const QWidget* widget : children) {
+        if (!widget->isVisible() || widget->width() < 4 || widget->height() < 4) continue;
+        const int background = qGray(widget->palette().color(QPalette::Window).rgb());
+        EXPECT_TRUE(day ? background > 160 : background < 64)
+            << widget->metaObject()->className() << " " << widget->objectName().toStdString();
+    }
+}
+
+TEST_P(MainWindowTest, AFileThatIsNoRecordingIsSaidInTheStripWithoutABox) {
+    window_.openRecording("/no/such/file.V4LOG");
+    ASSERT_TRUE(await([&] { return window_.messages().text().contains("not opened"); }));
+    EXPECT_TRUE(window_.messages().isVisible());
+    EXPECT_TRUE(window_.messages().text().contains("Ctrl+O")) << "it says what to do next";
+    EXPECT_EQ(window_.findChild<QMessageBox*>(), nullptr);
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+}
+
+TEST_P(MainWindowTest, TheFanHasMostOfTheWidth) {
+    openScan(60);
+    QTest::qWait(10);
+    EXPECT_GE(window_.fan().width(), window_.width() * 6 / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Palettes, MainWindowTest, testing::Values(Theme::Day, Theme::Dusk, Theme::Night),
+                         [](const auto& test) { return themeName(test.param).toStdString(); });
+
+TEST(MainWindow, AParameterChangedInTheFormReachesTheRunningPipeline) {
+    MainWindow window({.remember = false, .play_on_open = false});
+    window.show();
+    window.bridge().open("scan", test::scanOpener(60));
+    ASSERT_TRUE(await([&] { return window.bridge().isOpen(); }));
+    ParameterModel& model = window.parameters().model();
+    const auto& infos = model.infos();
+    const auto named =
+        std::find_if(infos.begin(), infos.end(), [](const auto& info) { return info.name == "sound_speed"; });
+    ASSERT_NE(named, infos.end());
+    model.setData(model.indexOf(static_cast<std::size_t>(named - infos.begin())), "1500");
+    const auto before = window.bridge().status().revision;
+    EXPECT_EQ(window.bridge().params().head.sound_speed, 1500.0);
+    ASSERT_TRUE(await([&] { return window.bridge().status().revision > before; }));
+}
+
+TEST(MainWindow, ADroppedFileIsOpened) {
+    MainWindow window({.remember = false});
+    window.show();
+    QStringList opening;
+    QObject::connect(&window.bridge(), &PipelineBridge::opening, [&](const QString& name) { opening << name; });
+    QMimeData dragged;
+    dragged.setUrls({QUrl::fromLocalFile("/no/such/harbour.V4LOG")});
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &enter);
+    QDropEvent drop({10, 10}, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &drop);
+    EXPECT_EQ(opening, QStringList{"harbour.V4LOG"});
+}
+
+TEST(MainWindow, ThePaletteCycleNeverJumpsFromNightToDay) {
+    MainWindow window({.remember = false});
+    window.setTheme(Theme::Day);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    std::vector<int> brightness;
+    for (int press = 0; press < 4; ++press) {
+        QTest::keyClick(&window, Qt::Key_F5);
+        brightness.push_back(qGray(QApplication::palette().color(QPalette::Window).rgb()));
+    }
+    EXPECT_LT(brightness[1], brightness[0]) << "dusk, then night";
+    EXPECT_EQ(brightness[2], brightness[0]) << "dusk again";
+    EXPECT_GT(brightness[3], 200) << "day";
+}
+
+TEST(MainWindow, LayoutAndPaletteAreRememberedWhenAsked) {
+    {
+        MainWindow window({.remember = true});
+        window.setTheme(Theme::Night);
+        window.show();
+        window.close();
+    }
+    EXPECT_EQ(QSettings().value("palette").toString(), themeName(Theme::Night));
+    EXPECT_FALSE(QSettings().value("layout").toByteArray().isEmpty());
+    QSettings().clear();
+}
+
+TEST(MainWindow, APictureThatCannotBeWrittenIsSaid) {
+    MainWindow window({.remember = false});
+    window.show();
+    EXPECT_FALSE(window.saveScreenshot("/no/such/folder/picture.png"));
+    EXPECT_TRUE(window.messages().isVisible());
+    const QTemporaryDir folder;
+    EXPECT_TRUE(window.saveScreenshot(folder.filePath("picture.png")));
+}
+
+}  // namespace
+}  // namespace echotrail

@@ -1,0 +1,90 @@
+#include "ui/bridge/pipeline_bridge.hpp"
+
+#include "qt_environment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <thread>
+
+namespace echotrail {
+namespace {
+
+using test::await;
+using test::scanOpener;
+
+class PipelineBridgeTest : public testing::Test {
+protected:
+    PipelineBridgeTest() {
+        QObject::connect(&bridge_, &PipelineBridge::opened, [this] { ++opened_; });
+        QObject::connect(&bridge_, &PipelineBridge::openFailed,
+                         [this](const QString&, const QString& reason) { failure_ = reason; });
+    }
+    bool rests() const {
+        return bridge_.status().state == ReplayState::Paused && bridge_.status().goal == bridge_.status().position;
+    }
+
+    PipelineBridge bridge_;
+    int opened_ = 0;
+    QString failure_;
+};
+
+TEST_F(PipelineBridgeTest, OpensInTheBackgroundAndShowsScenes) {
+    bridge_.open("scan", scanOpener(100));
+    EXPECT_TRUE(bridge_.isOpening());
+    EXPECT_EQ(opened_, 0);
+    ASSERT_TRUE(await([&] { return opened_ == 1; }));
+    bridge_.seekPosition(50);
+    ASSERT_TRUE(await([&] { return bridge_.scene() && bridge_.scene()->position == 50; }));
+    EXPECT_EQ(bridge_.timeline().pings(), 100U);
+}
+
+TEST_F(PipelineBridgeTest, AFailureSaysWhyAndKeepsWhatWasOpen) {
+    bridge_.open("scan", scanOpener(100));
+    ASSERT_TRUE(await([&] { return opened_ == 1; }));
+    bridge_.open("broken", []() -> SourceOpener::Outcome { return Error{"not a recording"}; });
+    ASSERT_TRUE(await([&] { return !failure_.isEmpty(); }));
+    EXPECT_EQ(failure_, "not a recording");
+    EXPECT_TRUE(bridge_.isOpen());
+    bridge_.open("worse", []() -> SourceOpener::Outcome { throw std::runtime_error("disk gone"); });
+    ASSERT_TRUE(await([&] { return failure_ == "disk gone"; }));
+}
+
+TEST_F(PipelineBridgeTest, ACancelledOpeningNeverArrives) {
+    auto gate = std::make_shared<std::atomic<bool>>(false);
+    bridge_.open("slow", [gate]() -> SourceOpener::Outcome {
+        while (!*gate) std::this_thread::yield();
+        return std::unique_ptr<PingSource>(std::make_unique<test::ScanSource>(test::sectorScan(10)));
+    });
+    bridge_.cancelOpening();
+    *gate = true;
+    bridge_.open("scan", scanOpener(100));
+    ASSERT_TRUE(await([&] { return opened_ == 1 && bridge_.timeline().pings() > 0; }));
+    EXPECT_EQ(bridge_.timeline().pings(), 100U);
+}
+
+TEST_F(PipelineBridgeTest, SkippedSecondsAddUp) {
+    bridge_.open("scan", scanOpener(400));
+    ASSERT_TRUE(await([&] { return bridge_.timeline().pings() == 400 && rests(); }));
+    bridge_.seekSeconds(5.0);
+    ASSERT_TRUE(await([&] { return rests() && bridge_.status().position == 101; }));
+    bridge_.skipSeconds(5.0);
+    ASSERT_TRUE(await([&] { return rests() && bridge_.status().position == 201; }));
+    bridge_.skipSeconds(-100.0);
+    ASSERT_TRUE(await([&] { return rests() && bridge_.status().position == 1; }));
+}
+
+TEST_F(PipelineBridgeTest, ClosingLeavesNothingBehind) {
+    bridge_.open("scan", scanOpener(100));
+    ASSERT_TRUE(await([&] { return opened_ == 1; }));
+    bridge_.play();
+    bridge_.close();
+    EXPECT_FALSE(bridge_.isOpen());
+    EXPECT_EQ(bridge_.timeline().pings(), 0U);
+    bridge_.play();
+    bridge_.poll();
+    EXPECT_FALSE(bridge_.isOpen());
+}
+
+}  // namespace
+}  // namespace echotrail
