@@ -1,5 +1,7 @@
 #include "core/runtime/replay_player.hpp"
 
+#include "core/imaging/local_enhancement.hpp"
+
 #include <time.h>
 
 #include <algorithm>
@@ -78,7 +80,9 @@ bool ReplayPlayer::analyse() {
     if (!windTo(found.analysed)) return false;
     for (int i = 0; i < pings_analysed_per_slice && found.analysed < size(); ++i) {
         const Update& update = analysis_->pipeline->process(readKnown(), source_->navigation());
-        extendTimeline(found, found.analysed, update, analysis_->pipeline->tracks());
+        // Tracks change when they were looked at; asking after every ping would copy every particle every time.
+        if (!update.looks.empty()) analysis_->followed = anyFollowed(analysis_->pipeline->tracks());
+        extendTimeline(found, found.analysed, update.sweep_ended, analysis_->followed);
     }
     if (found.analysed < size()) return false;
     timeline_ = std::move(found);
@@ -156,6 +160,7 @@ Scene ReplayPlayer::scene() const {
     scene.position = position_;
     scene.counts = counts_;
     scene.at_end = at_end_;
+    if (enhanced_) scene.enhanced = enhanceLocally(scene.fan, {});
     return scene;
 }
 

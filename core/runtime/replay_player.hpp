@@ -38,6 +38,8 @@ public:
     /// As in the pipeline; remembered with the position, so that a run from the start meets it at the same ping.
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
+    /// Whether scenes carry the locally enhanced picture too: some milliseconds each.
+    void setEnhanced(bool on) { enhanced_ = on; }
 
     std::uint64_t position() const { return position_; }  ///< pings taken in
     std::uint64_t size() const { return timeline_.pings(); }
@@ -62,6 +64,7 @@ private:
     struct Analysis {
         std::unique_ptr<ScanningSonarPipeline> pipeline;
         Timeline timeline;
+        bool followed = false;
     };
 
     bool windTo(std::uint64_t index);
@@ -87,6 +90,7 @@ private:
     std::uint64_t source_index_ = 0;  ///< pings read from the source since its start
     std::uint64_t position_ = 0;
     bool at_end_ = false;
+    bool enhanced_ = false;
 };
 
 }  // namespace echotrail

@@ -87,6 +87,10 @@ public:
         changed_ = true;
     }
     void setLoop(std::optional<PingSpan> loop) { loop_ = loop; }
+    void setEnhanced(bool on) {
+        player_.setEnhanced(on);
+        changed_ = true;
+    }
 
 private:
     /// Where the clock and the recording met, for pacing.
@@ -291,6 +295,9 @@ void ReplayRunner::designate(double range_m, Bearing from_bow) {
 }
 void ReplayRunner::clearDesignation() {
     post([](Loop& loop) { loop.clearDesignation(); });
+}
+void ReplayRunner::setEnhanced(bool on) {
+    post([=](Loop& loop) { loop.setEnhanced(on); });
 }
 void ReplayRunner::setLoop(std::optional<PingSpan> loop) {
     post([=](Loop& runner) { runner.setLoop(loop); });

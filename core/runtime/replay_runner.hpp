@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/pipelines/scanning_sonar_pipeline.hpp"
 #include "core/runtime/latest.hpp"
 #include "core/runtime/scene.hpp"
 #include "core/runtime/timeline.hpp"
@@ -62,6 +63,7 @@ public:
     void setParams(const Params& params, std::uint64_t revision);
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
+    void setEnhanced(bool on);  ///< scenes carry the locally enhanced picture too
     /// Play returns to `begin` at `end`; none: plays to the end.
     void setLoop(std::optional<PingSpan> loop);
 

@@ -35,11 +35,14 @@ std::vector<PingSpan> findGaps(const std::vector<Timestamp>& times) {
     return gaps;
 }
 
-void extendTimeline(Timeline& timeline, std::uint64_t index, const Update& update, const std::vector<Track>& tracks) {
-    if (update.sweep_ended) timeline.sweep_starts.push_back(index);
-    const bool followed = std::any_of(tracks.begin(), tracks.end(), [](const Track& track) {
+bool anyFollowed(const std::vector<Track>& tracks) {
+    return std::any_of(tracks.begin(), tracks.end(), [](const Track& track) {
         return track.state == TrackState::Confirmed || track.state == TrackState::Coasting;
     });
+}
+
+void extendTimeline(Timeline& timeline, std::uint64_t index, bool sweep_began, bool followed) {
+    if (sweep_began) timeline.sweep_starts.push_back(index);
     if (followed) {
         if (!timeline.confirmed.empty() && timeline.confirmed.back().end == index)
             timeline.confirmed.back().end = index + 1;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/time.hpp"
-#include "core/pipelines/scanning_sonar_pipeline.hpp"
+#include "core/data/track.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -36,7 +36,10 @@ struct Timeline {
 /// Silences between pings: longer than a second and than ten times the median interval.
 std::vector<PingSpan> findGaps(const std::vector<Timestamp>& times);
 
+/// Whether at least one of them is confirmed or coasting.
+bool anyFollowed(const std::vector<Track>& tracks);
+
 /// Notes in `timeline` what the ping with this index brought about.
-void extendTimeline(Timeline& timeline, std::uint64_t index, const Update& update, const std::vector<Track>& tracks);
+void extendTimeline(Timeline& timeline, std::uint64_t index, bool sweep_began, bool followed);
 
 }  // namespace echotrail

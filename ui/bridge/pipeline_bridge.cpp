@@ -59,6 +59,7 @@ void PipelineBridge::adopt(std::unique_ptr<PingSource> source) {
     status_.revision = revision_;
     runner_ = std::make_unique<ReplayRunner>(std::move(source), params_, seed_);
     runner_->setSpeed(speed_);
+    runner_->setEnhanced(enhanced_);
     Q_EMIT opened();
     Q_EMIT statusChanged(status_);
     Q_EMIT timelineChanged(timeline_);
@@ -147,6 +148,10 @@ void PipelineBridge::cancelSeek() {
 }
 void PipelineBridge::designate(double range_m, double bearing_from_bow_rad) {
     if (runner_) runner_->designate(range_m, Bearing::radians(bearing_from_bow_rad));
+}
+void PipelineBridge::setEnhanced(bool on) {
+    enhanced_ = on;
+    if (runner_) runner_->setEnhanced(on);
 }
 void PipelineBridge::clearDesignation() {
     if (runner_) runner_->clearDesignation();

@@ -56,6 +56,8 @@ public Q_SLOTS:
     void cancelSeek();
     void designate(double range_m, double bearing_from_bow_rad);
     void clearDesignation();
+    /// Scenes carry the locally enhanced picture too, also those of sources opened later.
+    void setEnhanced(bool on);
     /// Hands out what is new. Called by the display timer; tests call it too.
     void poll();
 
@@ -80,6 +82,7 @@ private:
     std::uint64_t revision_ = 0;
     std::uint64_t seed_ = 0;
     double speed_ = 1.0;
+    bool enhanced_ = false;
     ReplayStatus status_;
     Timeline timeline_;
     std::shared_ptr<const Scene> scene_;

@@ -48,7 +48,7 @@ TEST(Timeline, SpansOfFollowedTracksCloseWhereNoneIsConfirmed) {
                                          TrackState::Lost, TrackState::Confirmed};
     for (std::uint64_t i = 0; i < states.size(); ++i) {
         tracks[0].state = states[i];
-        extendTimeline(timeline, i, Update{.sweep_ended = i == 3}, tracks);
+        extendTimeline(timeline, i, i == 3, anyFollowed(tracks));
     }
     EXPECT_EQ(timeline.confirmed, (std::vector<PingSpan>{{1, 3}, {4, 5}}));
     EXPECT_EQ(timeline.sweep_starts, (std::vector<std::uint64_t>{3}));
