@@ -16,6 +16,7 @@ struct RegionFeatures {
     double moment = 0.0;        ///< m* = log10(M2 + 1e-3), M2 Hu's second invariant of the region's mask
     double along_range_m = 0.0; ///< 4 times the deviation of the mask along the line of sight
     double across_range_m = 0.0;///< the same across it
+    double strength_db = 0.0;   ///< how far its peak stands out from the background
 };
 
 /// A connected patch of the fan that stands out from its background.
@@ -32,6 +33,7 @@ struct Region {
     int pixels = 0;
     int beam_hits = 0;                 ///< pings that met it
     double clipped_fraction = 0.0;     ///< of its pixels at full scale
+    bool faint = false;                ///< found only because an object was expected there
     bool clutter_mass = false;         ///< larger than any target: a bank, the bottom, a wall
     bool multipath = false;            ///< looks like the echo of a stronger region behind it
     std::vector<Eigen::Vector2f> outline_m;  ///< contour, north and east

@@ -21,7 +21,7 @@ struct EchoRow {
 };
 
 struct EchoConditionerParams {
-    double background_window_percent = 11.0;
+    double background_window_percent = 35.0;
     bool remove_rings = true;
 };
 
@@ -29,7 +29,7 @@ template <>
 struct Described<EchoConditionerParams> {
     static constexpr std::string_view group = "Background";
     static constexpr auto fields = std::tuple{
-        Field{&EchoConditionerParams::background_window_percent, "background_window_percent", "% of range", 4, 40,
+        Field{&EchoConditionerParams::background_window_percent, "background_window_percent", "% of range", 4, 100,
               "Length of the stretch of the echo line whose median is the background"},
         flag(&EchoConditionerParams::remove_rings, "remove_rings",
              "Count what every bearing shows at the same range (ring-down, the head's own noise) as background")};

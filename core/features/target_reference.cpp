@@ -11,6 +11,7 @@ namespace {
 
 // Half the width of a Gaussian beam's echo on the contour Δ = 12 dB below its peak, in beam widths: √(Δ/6.02)/2.
 constexpr double contour_factor = 1.41;
+constexpr double strength_left_out_db = 1000.0;
 constexpr double least_width_m = 0.02;
 constexpr double least_fill = 0.2, greatest_fill = 2.0;
 
@@ -37,9 +38,10 @@ TargetReference::TargetReference(const RegionFeatures& seen, const EchoGeometry&
     : first_(own(seen, geometry)), now_(first_) {}
 
 TargetReference::Extent TargetReference::own(const RegionFeatures& seen, const EchoGeometry& geometry) {
+    const double ellipse = ellipseArea(seen.across_range_m, seen.along_range_m);
     return {squared(seen.across_range_m) - squared(footprintAcross(geometry)),
             squared(seen.along_range_m) - squared(geometry.point_length_m),
-            std::clamp(seen.area_m2 / ellipseArea(seen.across_range_m, seen.along_range_m), least_fill, greatest_fill)};
+            std::clamp(seen.area_m2 / ellipse, least_fill, greatest_fill), seen.strength_db};
 }
 
 RegionFeatures TargetReference::look(const Extent& extent, const EchoGeometry& geometry) {
@@ -51,6 +53,7 @@ RegionFeatures TargetReference::look(const Extent& extent, const EchoGeometry& g
     // M2 of an ellipse, its second moments taken relative to the area it really has.
     const double root = (elongation - 1.0 / elongation) / (4.0 * std::numbers::pi * extent.fill);
     features.moment = momentFeature(root * root);
+    features.strength_db = extent.strength_db;
     return features;
 }
 
@@ -63,16 +66,28 @@ void TargetReference::learn(const RegionFeatures& seen, const EchoGeometry& geom
     next.along_range_m = learned(now.along_range_m, seen.along_range_m, first.along_range_m, share);
     const double fill = learned(now_.fill, own(seen, geometry).fill, first_.fill, share);
     next.area_m2 = fill * ellipseArea(next.across_range_m, next.along_range_m);
+    // Strength is followed faster than shape: it changes with aspect and range.
+    next.strength_db = now_.strength_db + 3.0 * share * (seen.strength_db - now_.strength_db);
     now_ = own(next, geometry);
 }
 
 double likeness(const RegionFeatures& seen, const RegionFeatures& expected, const LikenessParams& params) {
-    const double area = (seen.area_m2 - expected.area_m2) / expected.area_m2 / params.area_sigma;
+    const double area = std::log(seen.area_m2 / expected.area_m2) / params.area_sigma;
     const double moment = (seen.moment - expected.moment) / params.moment_sigma;
     const double area_score = std::exp(-0.5 * area * area);
     const double moment_score = std::exp(-0.5 * moment * moment);
-    if (params.fusion == Fusion::Sum) return params.area_share * area_score + (1 - params.area_share) * moment_score;
-    return area_score * moment_score;
+    if (params.fusion == Fusion::Product) return area_score * moment_score;
+    return params.area_share * area_score + (1 - params.area_share) * moment_score;
+}
+
+double strengthRatio(double strength_db, double expected_db, double faintest_db, double clutter_excess_db,
+                     const LikenessParams& params) {
+    if (params.strength_sigma_db >= strength_left_out_db) return 1.0;
+    const double off = (strength_db - expected_db) / params.strength_sigma_db;
+    const double target = std::exp(-0.5 * off * off) / (params.strength_sigma_db * std::sqrt(2.0 * std::numbers::pi));
+    const double above = std::max(strength_db - faintest_db, 0.0);
+    const double clutter = std::exp(-above / clutter_excess_db) / clutter_excess_db;
+    return std::clamp(target / clutter, 0.01, 100.0);
 }
 
 }  // namespace echotrail

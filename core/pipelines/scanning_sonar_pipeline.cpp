@@ -1,16 +1,113 @@
 #include "core/pipelines/scanning_sonar_pipeline.hpp"
 
-namespace echotrail {
+#include <algorithm>
+#include <cmath>
 
-ScanningSonarPipeline::ScanningSonarPipeline(const Params& params, std::uint64_t) : params_(params) {}
-const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory&) {
-    update_ = Update{.ping = ping.sequence, .time = ping.time, .beam = ping.bearing};
+namespace echotrail {
+namespace {
+
+constexpr double longest_navigation_gap_s = 0.3;
+constexpr double high_frequency_hz = 500e3;  // between the two channels of a SeaKing, 325 and 675 kHz
+constexpr double pick_radius_m = 3.0, pick_radius_share = 0.1;
+
+}  // namespace
+
+ScanningSonarPipeline::ScanningSonarPipeline(const Params& params, std::uint64_t seed)
+    : params_(params), fan_(params.fan), regions_(params.regions), tracker_(params.tracker, seed) {}
+
+const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory& navigation) {
+    update_ = Update{.ping = ping.sequence, .time = ping.time, .sweep = sweeps_};
+    if (ping.motor_lost_sync) {  // nobody knows where the beam looked
+        ++unsynchronised_;
+        return update_;
+    }
+    if (!first_ping_) first_ping_ = ping.time;
+
+    // Where was the beam? The pose at transmission, and at half way back from the far end.
+    const double flight_s = ping.bin_interval_s * static_cast<double>(ping.levels.size());
+    const auto at_transmit = navigation.at(ping.time, longest_navigation_gap_s);
+    const auto at_far_end =
+        navigation.at(ping.time + microsecondsFromSeconds(flight_s / 2.0), longest_navigation_gap_s);
+    update_.navigation_gap = !at_transmit || !at_far_end;
+    if (at_transmit) vehicle_ = *at_transmit;
+    const Ray ray = makeRay(ping, vehicle_, at_far_end.value_or(vehicle_), params_.head, *first_ping_);
+    SweepFollower::Step step = sweep_.follow(ping.bearing, ping.step_rad, ping.time);
+    step.turned_round |= update_.navigation_gap;
+    beam_ = beamOf(ping, ray, step, !navigation.empty());
+
+    // What has it just left? Regions grow there, and nowhere else.
+    if (step.turned_round) regions_.breakOff(update_.regions);
+    tracker_.interestsAt(beam_, interests_);
+    regions_.add(ping, ray, beam_.head, *first_ping_, interests_, update_.regions);
+    if (paint_fan_) fan_.add(ray, ping.range_scale_m, step.turned_round);
+
+    // Which tracks did it pass, and do the regions there belong to them?
+    tracker_.update(
+        beam_, update_.regions, [this](double near_m, double far_m) { return regions_.isOpenWithin(near_m, far_m); },
+        update_.looks);
+    applyPick();
+
+    sweeps_ += step.sweep_ended;
+    update_.sweep = sweeps_;
+    update_.sweep_ended = step.sweep_ended;
+    update_.pose = vehicle_;
+    update_.beam = beam_.azimuth + -vehicle_.heading.inRadians();
     return update_;
 }
-const Update& ScanningSonarPipeline::finish() { return update_; }
-void ScanningSonarPipeline::setParams(const Params& params) { params_ = params; }
-void ScanningSonarPipeline::designate(double, Bearing) {}
-void ScanningSonarPipeline::clearDesignation() {}
-void ScanningSonarPipeline::setFanPainting(bool) {}
+
+const Update& ScanningSonarPipeline::finish() {
+    update_.sweep_ended = false;
+    update_.regions.clear();
+    update_.looks.clear();
+    regions_.breakOff(update_.regions);
+    tracker_.finish(update_.regions, update_.looks);
+    return update_;
+}
+
+BeamMoment ScanningSonarPipeline::beamOf(const Ping& ping, const Ray& ray, const SweepFollower::Step& step,
+                                         bool navigation_known) const {
+    const LikenessParams& likeness = params_.tracker.likeness;
+    const bool high = ping.frequency_hz >= high_frequency_hz;
+    const Eigen::Vector2d origin = ray.at(0.0);
+    return {.time = ping.time,
+            .head = {origin.x(), origin.y(), vehicle_.heading},
+            .azimuth = Bearing::radians(ray.azimuth_rad),
+            .step_rad = ping.step_rad,
+            .beam_width_rad = radiansFromDegrees(high ? likeness.high_beam_width_deg : likeness.low_beam_width_deg),
+            .near_m = 0.0,
+            .far_m = ping.binSize() * static_cast<double>(ping.levels.size()),
+            .point_length_m = ping.range_scale_m * likeness.point_echo_length_percent / 100.0,
+            .faintest_db = params_.regions.screen.seed_excess_db - params_.regions.screen.interest_lowering_db,
+            .turned_round = step.turned_round,
+            .sweep_ended = step.sweep_ended,
+            .navigation_known = navigation_known};
+}
+
+void ScanningSonarPipeline::setParams(const Params& params) {
+    params_ = params;
+    fan_.setParams(params.fan);
+    regions_.setParams(params.regions);
+    tracker_.setParams(params.tracker);
+}
+
+void ScanningSonarPipeline::designate(double range_m, Bearing from_bow) {
+    pick_ = Pick{range_m, from_bow};
+    if (first_ping_) applyPick();
+}
+
+/// The pick is relative to the head as it is now; from here on it is a place in the local frame.
+void ScanningSonarPipeline::applyPick() {
+    if (!pick_) return;
+    const double azimuth = pick_->from_bow.inRadians() + vehicle_.heading.inRadians();
+    const Eigen::Vector2d place(beam_.head.north_m + pick_->range_m * std::cos(azimuth),
+                                beam_.head.east_m + pick_->range_m * std::sin(azimuth));
+    tracker_.designate(place, std::max(pick_radius_m, pick_radius_share * pick_->range_m));
+    pick_.reset();
+}
+
+void ScanningSonarPipeline::clearDesignation() {
+    pick_.reset();
+    tracker_.clearDesignation();
+}
 
 }  // namespace echotrail

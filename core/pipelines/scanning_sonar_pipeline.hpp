@@ -1,14 +1,23 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "core/base/parameters.hpp"
 #include "core/data/fan_image.hpp"
 #include "core/data/head_settings.hpp"
 #include "core/data/ping.hpp"
 #include "core/data/pose.hpp"
 #include "core/data/update.hpp"
+#include "core/detection/echo_conditioner.hpp"
+#include "core/detection/echo_screen.hpp"
+#include "core/detection/region_grower.hpp"
+#include "core/imaging/fan_projector.hpp"
+#include "core/imaging/filters.hpp"
+#include "core/pipelines/region_finder.hpp"
+#include "core/pipelines/sweep_follower.hpp"
+#include "core/tracking/tracker.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace echotrail {
 
@@ -19,7 +28,9 @@ class ScanningSonarPipeline {
 public:
     struct Params {
         HeadSettings head;
-        bool operator==(const Params&) const = delete;
+        FanProjector::Params fan;
+        RegionFinderParams regions;
+        Tracker::Params tracker;
     };
 
     ScanningSonarPipeline(const Params& params, std::uint64_t seed);
@@ -38,25 +49,43 @@ public:
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
 
-    const std::vector<Track>& tracks() const { return tracks_; }
+    /// The followed objects as they stand now, particles included: a copy, made when asked for.
+    std::vector<Track> tracks() const { return tracker_.tracks(); }
     /// The picture so far, in the local frame; empty before the first wedge, or when painting is off.
-    const FanImage& fan() const { return fan_; }
-    void setFanPainting(bool on);
-    std::uint64_t confirmedTracks() const { return confirmed_; }  ///< at any time so far
+    const FanImage& fan() const { return fan_.image(); }
+    void setFanPainting(bool on) { paint_fan_ = on; }
+    std::uint64_t confirmedTracks() const { return tracker_.confirmedEver(); }  ///< at any time so far
     std::uint64_t sweeps() const { return sweeps_; }
+    std::uint64_t unsynchronisedPings() const { return unsynchronised_; }  ///< dropped: the bearing was not known
 
 private:
+    struct Pick {
+        double range_m;
+        Bearing from_bow;
+    };
+    BeamMoment beamOf(const Ping& ping, const Ray& ray, const SweepFollower::Step& step, bool navigation_known) const;
+    void applyPick();
+
     Params params_;
+    FanProjector fan_;
+    RegionFinder regions_;
+    Tracker tracker_;
+    SweepFollower sweep_;
     Update update_;
-    std::vector<Track> tracks_;
-    FanImage fan_;
-    std::uint64_t confirmed_ = 0;
+    Pose vehicle_;     ///< at the last ping
+    BeamMoment beam_;  ///< of the last ping
+    std::vector<RangeOfInterest> interests_;
+    std::optional<Pick> pick_;
+    std::optional<Timestamp> first_ping_;
+    bool paint_fan_ = true;
     std::uint64_t sweeps_ = 0;
+    std::uint64_t unsynchronised_ = 0;
 };
 
 template <>
 struct Described<ScanningSonarPipeline::Params> {
-    static constexpr auto stages = std::tuple{&ScanningSonarPipeline::Params::head};
+    using P = ScanningSonarPipeline::Params;
+    static constexpr auto stages = std::tuple{&P::head, &P::fan, &P::regions, &P::tracker};
 };
 
 }  // namespace echotrail

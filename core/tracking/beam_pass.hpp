@@ -15,6 +15,7 @@ struct BeamMoment {
     double near_m = 0.0;            ///< what is nearer is not looked at
     double far_m = 0.0;             ///< end of the echo line
     double point_length_m = 0.0;    ///< length in range of a point's echo
+    double faintest_db = 8.0;       ///< no region stands out less from the background
     bool turned_round = false;      ///< the beam's movement broke off before this ping: turned, flew back, or a gap
     bool sweep_ended = false;       ///< a sweep was finished before this ping
     bool navigation_known = false;  ///< poses are measured, not assumed

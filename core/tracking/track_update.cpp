@@ -12,7 +12,7 @@ namespace echotrail {
 namespace {
 
 constexpr double gate_sigmas = 3.0;
-constexpr double clutter_score_memory = 0.95;
+constexpr double clutter_score_memory = 0.9;
 constexpr double looked_at_coverage = 0.5;  // the expected place itself was passed over
 constexpr std::size_t longest_history = 64;
 
@@ -54,8 +54,10 @@ Tracker::Pairing Tracker::pair(const FollowedTrack& followed, const Region& regi
     pairing.innovation_m = innovation.norm();
     pairing.density = std::exp(-0.5 * pairing.nis) / (2.0 * std::numbers::pi * std::sqrt(total.determinant()));
     pairing.cue.position_m = region.position_m;
-    pairing.likeness =
-        likeness(region.features, followed.reference.expected(geometryAt(region.range_m)), params_.likeness);
+    const RegionFeatures expected = followed.reference.expected(geometryAt(region.range_m));
+    pairing.likeness = likeness(region.features, expected, params_.likeness);
+    pairing.strength_ratio = strengthRatio(region.contrast_db, expected.strength_db, beam_.faintest_db,
+                                           clutter_excess_db_, params_.likeness);
     return pairing;
 }
 
@@ -72,8 +74,8 @@ void Tracker::processCluster(const std::vector<std::size_t>& members, const std:
         for (const std::size_t j : regions) {
             Pairing pairing = pair(followed, pending_[j].region);
             // An echo that is there was detected, however little of the place the beam covered.
-            pairing.cue.weight = params_.tracking.detection_probability / clutter_density_ *
-                                 (pairing.likeness + floor) / (clutter_score_ + floor);
+            pairing.cue.weight = params_.tracking.detection_probability / clutterDensity() *
+                                 (pairing.likeness + floor) / (clutter_score_ + floor) * pairing.strength_ratio;
             weights.push_back(pairing.gated ? pairing.cue.weight * pairing.density : 0.0);
             pairings[m].push_back(pairing);
         }
@@ -81,18 +83,23 @@ void Tracker::processCluster(const std::vector<std::size_t>& members, const std:
     }
     const Association joint = associate(problem);
     const Association alone = associateAlone(problem);
-    for (std::size_t m = 0; m < members.size(); ++m)
-        completePass(followed_[members[m]], regions, pairings[m], joint.probability[m], joint.none[m],
-                     alone.probability[m], alone.none[m], looks);
     for (std::size_t k = 0; k < regions.size(); ++k) {
-        double claimed = 0;
-        for (std::size_t m = 0; m < members.size(); ++m) claimed += joint.probability[m][k];
+        double claimed = 0, claimed_by_known = 0;
+        for (std::size_t m = 0; m < members.size(); ++m) {
+            claimed += joint.probability[m][k];
+            if (followed_[members[m]].track.state != TrackState::Tentative) claimed_by_known += joint.probability[m][k];
+        }
         pending_[regions[k]].claimed = claimed > 0.5;
-        if (pending_[regions[k]].claimed) continue;
-        for (std::size_t m = 0; m < members.size(); ++m)  // how alike are regions that are not the target?
+        // What only an unproven track lays claim to is clutter until it is proven.
+        if (claimed_by_known > 0.5) continue;
+        if (claimed > 0.5) learnClutter(pending_[regions[k]].region);
+        for (std::size_t m = 0; m < members.size(); ++m)
             if (pairings[m][k].gated)
                 clutter_score_ += (1.0 - clutter_score_memory) * (pairings[m][k].likeness - clutter_score_);
     }
+    for (std::size_t m = 0; m < members.size(); ++m)
+        completePass(followed_[members[m]], regions, pairings[m], joint.probability[m], joint.none[m],
+                     alone.probability[m], alone.none[m], looks);
 }
 
 /// One Gaussian-particle-filter update with the regions of the pass, each weighed down by how much of it the other

@@ -4,24 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 // The flow of tracking: passes, births, sweeps. What one pass does to a track is in track_update.cpp.
 namespace echotrail {
 namespace {
 
-constexpr double least_clutter_density = 2e-5;  // per m²
+constexpr double least_clutter_density = 2e-5;  // regions per m²
 constexpr double clutter_memory = 0.8;          // share of the past in the learned density, per sweep
 constexpr double gate_sigmas = 3.0;
+constexpr double least_excess_db = 2.0, strongest_clutter_db = 20.0;
 constexpr int sweeps_to_merge = 3;
 
 }  // namespace
 
 Tracker::Tracker(const Params& params, std::uint64_t seed)
-    : params_(params), seed_(seed), filter_(params.filter), clutter_density_(params.tracking.clutter_density) {}
+    : params_(params), seed_(seed), filter_(params.filter), clutter_per_sweep_(params.tracking.clutter_per_sweep) {}
 
 void Tracker::setParams(const Params& params) {
-    if (params.tracking.clutter_density != params_.tracking.clutter_density)
-        clutter_density_ = params.tracking.clutter_density;
+    if (params.tracking.clutter_per_sweep != params_.tracking.clutter_per_sweep)
+        clutter_per_sweep_ = params.tracking.clutter_per_sweep;
     params_ = params;
     filter_ = GaussianParticleFilter(params.filter);
 }
@@ -29,13 +31,11 @@ void Tracker::setParams(const Params& params) {
 void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions, const BeamStillOn& still_on,
                      std::vector<TrackLook>& looks) {
     for (const Region& region : regions) pending_.push_back({region});
-    if (beam.turned_round)
+    if (beam.turned_round) {
         for (FollowedTrack& followed : followed_) followed.pass.breakOff();
-    const bool sweep_ended = beam.sweep_ended;
-    if (sweep_ended) {
-        settle(still_on, looks);
-        endSweep();
+        settle([](double, double) { return false; }, looks);  // what the beam is on now is another pass
     }
+    if (beam.sweep_ended) endSweep();
     beam_ = beam;
     scanned_area_m2_ += beam.step_rad * (beam.far_m * beam.far_m - beam.near_m * beam.near_m) / 2.0;
     for (FollowedTrack& followed : followed_) {
@@ -152,14 +152,22 @@ void Tracker::decideBirths(std::vector<TrackLook>& looks) {
         return !awaited;
     });
     for (const Region& region : unclaimed) {
-        if (!mayBeBorn(region)) continue;
-        ++unclaimed_;
-        bear(region, looks);
+        learnClutter(region);
+        if (mayBeBorn(region)) bear(region, looks);
     }
 }
 
+/// Takes in a region that is nobody's echo.
+void Tracker::learnClutter(const Region& region) {
+    if (region.clutter_mass) return;
+    ++unclaimed_;
+    const double excess = std::clamp(region.contrast_db - beam_.faintest_db, 0.0, strongest_clutter_db);
+    clutter_excess_db_ = std::max(0.95 * clutter_excess_db_ + 0.05 * excess, least_excess_db);
+}
+
 bool Tracker::mayBeBorn(const Region& region) const {
-    if (region.clutter_mass || region.multipath || region.beam_hits < params_.tracking.min_beam_hits) return false;
+    if (region.clutter_mass || region.multipath || region.faint || region.beam_hits < params_.tracking.min_beam_hits)
+        return false;
     return std::none_of(followed_.begin(), followed_.end(), [&](const FollowedTrack& followed) {
         const GaussianState state = predict(followed, region.time);
         return (state.mean.head<2>() - region.position_m).norm() < params_.tracking.merge_tracks_m / 2.0;
@@ -230,14 +238,19 @@ void Tracker::applyDesignation() {
 
 void Tracker::endSweep() {
     for (FollowedTrack& followed : followed_) followed.track.existence *= params_.life.survival_per_sweep;
-    if (scanned_area_m2_ > 0) {
-        const double density = unclaimed_ / scanned_area_m2_;
-        clutter_density_ =
-            std::max(clutter_memory * clutter_density_ + (1.0 - clutter_memory) * density, least_clutter_density);
-    }
+    // The given value counts as one sweep; from then on a running mean, and a fading one in the end.
+    const double memory = std::min(clutter_memory, 1.0 - 1.0 / (2.0 + sweeps_learned_++));
+    clutter_per_sweep_ = memory * clutter_per_sweep_ + (1.0 - memory) * unclaimed_;
+    swept_area_m2_ = scanned_area_m2_;
     scanned_area_m2_ = 0.0;
     unclaimed_ = 0;
     mergeTracks();
+}
+
+double Tracker::clutterDensity() const {
+    // The first sweep is taken to be a quarter circle, until it is known.
+    const double area = swept_area_m2_ > 0 ? swept_area_m2_ : std::numbers::pi / 4.0 * beam_.far_m * beam_.far_m;
+    return std::max(clutter_per_sweep_ / area, least_clutter_density);
 }
 
 /// Two tracks on one thing: after three sweeps the younger goes, unless it is the operator's.

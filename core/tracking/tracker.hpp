@@ -16,7 +16,7 @@
 namespace echotrail {
 
 struct TrackerParams {
-    double process_noise = 0.05;
+    double process_noise = 0.1;
     double unknown_turn_deg = 1.0;
     double range_sigma_m = 0.15;
     double heading_sigma_deg = 0.3;
@@ -25,7 +25,7 @@ struct TrackerParams {
     double max_speed_mps = 2.0;
     double gate = 13.8;
     double detection_probability = 0.9;
-    double clutter_density = 1e-3;
+    double clutter_per_sweep = 3.0;
     int min_beam_hits = 2;
     double merge_tracks_m = 1.0;
     int max_tracks = 16;
@@ -51,8 +51,8 @@ struct Described<TrackerParams> {
               "Squared normalised distance within which a region may be the track's echo; 13.8 holds 99.9 %"},
         Field{&P::detection_probability, "detection_probability", "", 0.1, 0.999,
               "Probability that the object shows when the beam passes"},
-        Field{&P::clutter_density, "clutter_density", "1/m²", 2e-5, 1,
-              "Other regions per area and sweep, before it is learned"},
+        Field{&P::clutter_per_sweep, "clutter_per_sweep", "regions", 0.1, 500,
+              "Regions in a sweep that are nobody's echo, before it is learned"},
         Field{&P::min_beam_hits, "min_beam_hits", "pings", 1, 10, "Pings that must meet a region to start a track"},
         Field{&P::merge_tracks_m, "merge_tracks_m", "m", 0, 10, "Tracks closer than this for three sweeps are one"},
         Field{&P::max_tracks, "max_tracks", "", 1, 64, "Tracks followed at the same time"}};
@@ -110,12 +110,14 @@ public:
     /// The tracks that are followed, lost ones that may still come back included.
     std::vector<Track> tracks() const;
     std::uint64_t confirmedEver() const { return confirmed_ever_; }
-    double clutterDensity() const { return clutter_density_; }
+    /// Regions per m² and sweep that are nobody's echo.
+    double clutterDensity() const;
 
 private:
     struct Pairing {
         bool gated = false;
         double likeness = 0.0;
+        double strength_ratio = 1.0;
         double density = 0.0;  ///< N(innovation; 0, S)
         double nis = 0.0;
         double innovation_m = 0.0;
@@ -150,6 +152,7 @@ private:
     void bear(const Region& region, std::vector<TrackLook>& looks);
     void applyDesignation();
     void giveUpUnseen(std::vector<TrackLook>& looks);
+    void learnClutter(const Region& region);
     void endSweep();
     void mergeTracks();
 
@@ -162,10 +165,13 @@ private:
     std::optional<Designation> designation_;
     int next_id_ = 1;
     std::uint64_t confirmed_ever_ = 0;
-    double clutter_density_;
-    double clutter_score_ = 0.25;   ///< running mean likeness of regions that were nobody's echo
-    double scanned_area_m2_ = 0.0;  ///< in this sweep
-    int unclaimed_ = 0;             ///< regions in this sweep that were nobody's echo
+    double clutter_per_sweep_;
+    int sweeps_learned_ = 0;
+    double swept_area_m2_ = 0.0;      ///< of the last whole sweep
+    double clutter_excess_db_ = 4.0;  ///< running mean of how far such regions exceed the faintest
+    double clutter_score_ = 0.25;     ///< running mean likeness of regions that were nobody's echo
+    double scanned_area_m2_ = 0.0;    ///< in this sweep
+    int unclaimed_ = 0;               ///< regions in this sweep that were nobody's echo
 };
 
 template <>

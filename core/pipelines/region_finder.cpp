@@ -1,0 +1,207 @@
+#include "core/pipelines/region_finder.hpp"
+
+#include "core/features/region_shape.hpp"
+#include "core/imaging/filters.hpp"
+#include "core/imaging/wedge_painter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace echotrail {
+namespace {
+
+constexpr std::uint64_t flank_pings = EchoScreen::closing_pings;
+constexpr double flank_m = 1.0;             // of the tile beyond the strong cells
+constexpr double pixels_per_range = 400.0;  // as the fan: a pixel is a 400th of the range scale
+constexpr double same_peak_s = 2.0;         // two candidates that touch show the same region within this time
+constexpr double multipath_near_m = 0.2, multipath_far_m = 3.0, multipath_weaker_db = 6.0;
+
+int levelsFromDb(double db) { return static_cast<int>(std::lround(db * levels_per_db)); }
+
+/// A header onto `memory`, which grows when needed and is never given back: no allocation per candidate.
+cv::Mat viewOf(cv::Mat& memory, int rows, int columns, int type, const cv::Scalar& fill) {
+    if (memory.total() < static_cast<std::size_t>(rows) * columns) memory.create(1, rows * columns, type);
+    cv::Mat view(rows, columns, type, memory.data);
+    view.setTo(fill);
+    return view;
+}
+
+}  // namespace
+
+RegionFinder::RegionFinder(const RegionFinderParams& params)
+    : params_(params),
+      conditioner_(params.conditioner),
+      screen_(params.screen),
+      grower_(params.grower),
+      rows_(EchoScreen::max_pings + 4 * flank_pings) {}
+
+void RegionFinder::setParams(const RegionFinderParams& params) {
+    params_ = params;
+    conditioner_.setParams(params.conditioner);
+    screen_.setParams(params.screen);
+    grower_.setParams(params.grower);
+}
+
+void RegionFinder::breakOff(std::vector<Region>& regions) {
+    candidates_.clear();
+    screen_.endSweep(candidates_);
+    for (const Candidate& candidate : candidates_) growRegions(candidate, regions);
+    flagMultipath(regions);
+    sweep_first_row_ = next_row_;
+}
+
+void RegionFinder::add(const Ping& ping, const Ray& ray, const Pose& head, Timestamp epoch,
+                       std::span<const RangeOfInterest> interests, std::vector<Region>& regions) {
+    epoch_ = epoch;
+    Row& row = rowAt(next_row_);
+    conditioner_.condition(ping, row.echo);
+    row.ray = ray;
+    row.ray.levels = row.echo.level;
+    row.ray.bin_size_m = row.echo.cell_m;
+    row.head = head;
+    row.time = ping.time;
+    row.pixel_m = ping.range_scale_m / pixels_per_range;
+    ++next_row_;
+    candidates_.clear();
+    screen_.add(row.echo, interests, candidates_);
+    for (const Candidate& candidate : candidates_) growRegions(candidate, regions);
+    flagMultipath(regions);
+}
+
+/// Paints the part of the fan that holds the candidate with its flanks, and grows regions in it.
+void RegionFinder::growRegions(const Candidate& candidate, std::vector<Region>& regions) {
+    const std::uint64_t first =
+        candidate.first_ping < sweep_first_row_ + flank_pings ? sweep_first_row_ : candidate.first_ping - flank_pings;
+    const std::uint64_t last = std::min(candidate.last_ping + flank_pings, next_row_ - 1);
+    const double cell_m = rowAt(candidate.last_ping).echo.cell_m;
+    const double near_m = candidate.first_cell * cell_m, far_m = (candidate.last_cell + 1) * cell_m;
+    if (!layTile(first, last, std::max(near_m - flank_m, 0.0), far_m + flank_m)) return;
+    paintTile(first, last, std::max(near_m - flank_m, 0.0), far_m + flank_m);
+    smoothGaussian(tile_.levels);
+
+    const double lowering = candidate.of_interest ? params_.screen.interest_lowering_db : 0.0;
+    const int seed_excess = std::max(levelsFromDb(params_.screen.seed_excess_db - lowering), 1);
+    for (const RegionPixels& pixels : grower_(tile_, background_tile_.levels, seed_excess)) {
+        Region region = measureRegion(pixels, tile_, epoch_);
+        const Row& row = rowNearest(region.time, first, last);
+        seenFromHead(region, pixels, tile_, row.head);
+        // What lies in the flanks is another candidate's, which has flanks of its own there.
+        const bool inside = region.range_m >= near_m - cell_m && region.range_m <= far_m + cell_m;
+        if (!inside || !isNew(pixels, region.time)) continue;
+        region.beam_hits = beamHits(region, first, last);
+        region.faint = region.contrast_db < params_.screen.seed_excess_db;
+        region.id = next_id_++;
+        regions.push_back(std::move(region));
+    }
+}
+
+/// Places the tile about the rays' ends on the pixel grid of the whole fan. False where there is nothing to paint.
+bool RegionFinder::layTile(std::uint64_t first, std::uint64_t last, double near_m, double far_m) {
+    const double pixel = rowAt(last).pixel_m;
+    if (last <= first || !(pixel > 0)) return false;
+    double north_most = -1e12, south_most = 1e12, east_most = -1e12, west_most = 1e12;
+    for (std::uint64_t k = first; k <= last; ++k) {
+        for (const double range : {near_m, far_m}) {
+            const Eigen::Vector2d end = rowAt(k).ray.at(range);
+            north_most = std::max(north_most, end.x());
+            south_most = std::min(south_most, end.x());
+            east_most = std::max(east_most, end.y());
+            west_most = std::min(west_most, end.y());
+        }
+    }
+    constexpr int margin = 3;  // pixels: for the smoothing, and the arc between two rays
+    const auto grid = [pixel](double metres) { return static_cast<int>(std::floor(metres / pixel)); };
+    const int top = grid(north_most) + margin, bottom = grid(south_most) - margin;
+    const int left = grid(west_most) - margin, right = grid(east_most) + margin;
+    const int rows = top - bottom + 1, columns = right - left + 1;
+    const auto lay = [&](FanImage& tile, cv::Mat& memory, cv::Mat& time_memory) {
+        tile.levels = viewOf(memory, rows, columns, CV_8U, 0);
+        tile.beam_time_ms = viewOf(time_memory, rows, columns, CV_32S, FanImage::never_scanned);
+        tile.pixel_m = pixel;
+        tile.north_m = top * pixel;
+        tile.east_m = left * pixel;
+    };
+    lay(tile_, tile_memory_, time_memory_);
+    lay(background_tile_, background_memory_, background_time_memory_);
+    return true;
+}
+
+void RegionFinder::paintTile(std::uint64_t first, std::uint64_t last, double near_m, double far_m) {
+    for (std::uint64_t k = first + 1; k <= last; ++k) {
+        const Row& a = rowAt(k - 1);
+        const Row& b = rowAt(k);
+        paintWedge(a.ray, b.ray, {near_m, far_m}, tile_);
+        Ray background_a = a.ray, background_b = b.ray;
+        background_a.levels = a.echo.background;
+        background_b.levels = b.echo.background;
+        paintWedge(background_a, background_b, {near_m, far_m}, background_tile_);
+    }
+}
+
+/// Whether this peak was not found before: candidates that touch paint the same place twice.
+bool RegionFinder::isNew(const RegionPixels& pixels, Timestamp time) {
+    const int row = static_cast<int>(std::lround(tile_.north_m / tile_.pixel_m)) - pixels.peak.row;
+    const int column = static_cast<int>(std::lround(tile_.east_m / tile_.pixel_m)) + pixels.peak.column;
+    while (!found_.empty() && secondsBetween(found_.front().time, time) > same_peak_s) found_.pop_front();
+    const bool known = std::any_of(found_.begin(), found_.end(), [&](const FoundPeak& peak) {
+        return std::abs(peak.row - row) <= 1 && std::abs(peak.column - column) <= 1 &&
+               std::abs(secondsBetween(peak.time, time)) < same_peak_s;
+    });
+    if (!known) found_.push_back({time, row, column});
+    return !known;
+}
+
+const RegionFinder::Row& RegionFinder::rowNearest(Timestamp time, std::uint64_t first, std::uint64_t last) const {
+    std::uint64_t nearest = first;
+    for (std::uint64_t k = first; k <= last; ++k)
+        if (std::abs(secondsBetween(rowAt(k).time, time)) < std::abs(secondsBetween(rowAt(nearest).time, time)))
+            nearest = k;
+    return rowAt(nearest);
+}
+
+/// Pings that met the region: whose own line stands out at the region's ranges, next to each other about its time.
+int RegionFinder::beamHits(const Region& region, std::uint64_t first, std::uint64_t last) const {
+    const int grow = levelsFromDb(params_.grower.grow_excess_db);
+    const double half = region.features.along_range_m / 2.0;
+    const auto meets = [&](const Row& row) {
+        const int cells = static_cast<int>(row.echo.level.size());
+        const int begin = std::clamp(static_cast<int>((region.range_m - half) / row.echo.cell_m), 0, cells);
+        const int end = std::clamp(static_cast<int>((region.range_m + half) / row.echo.cell_m) + 1, 0, cells);
+        for (int i = begin; i < end; ++i)
+            if (row.echo.smooth[i] - row.echo.background[i] >= grow) return true;
+        return false;
+    };
+    std::uint64_t middle = first;
+    for (std::uint64_t k = first; k <= last; ++k)
+        if (std::abs(secondsBetween(rowAt(k).time, region.time)) <
+            std::abs(secondsBetween(rowAt(middle).time, region.time)))
+            middle = k;
+    int hits = meets(rowAt(middle)) ? 1 : 0;
+    for (std::uint64_t k = middle; k > first && meets(rowAt(k - 1)); --k) ++hits;
+    for (std::uint64_t k = middle; k < last && meets(rowAt(k + 1)); ++k) ++hits;
+    return hits;
+}
+
+/// An echo at the bearing of a stronger one, a little further off and much weaker, has bounced on its way.
+void RegionFinder::flagMultipath(std::vector<Region>& regions) {
+    for (Region& region : regions) {
+        const auto shadows = [&](const Region& other) {
+            const double beyond = region.range_m - other.range_m;
+            const double apart_m = std::abs(region.bearing - other.bearing) * region.range_m;
+            return other.id != region.id && beyond > multipath_near_m && beyond < multipath_far_m &&
+                   apart_m < std::max(other.features.across_range_m, region.features.across_range_m) / 2.0 &&
+                   other.peak_db - region.peak_db >= multipath_weaker_db &&
+                   std::abs(secondsBetween(other.time, region.time)) < same_peak_s;
+        };
+        region.multipath = region.multipath || std::any_of(regions.begin(), regions.end(), shadows) ||
+                           std::any_of(recent_.begin(), recent_.end(), shadows);
+    }
+    for (const Region& region : regions) {
+        recent_.push_back(region);
+        recent_.back().outline_m.clear();
+    }
+    constexpr std::size_t remembered = 32;
+    while (recent_.size() > remembered) recent_.pop_front();
+}
+
+}  // namespace echotrail
