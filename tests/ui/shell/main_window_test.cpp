@@ -2,11 +2,14 @@
 
 #include "qt_environment.hpp"
 #include "ui/main_window/message_strip.hpp"
+#include "ui/main_window/shortcuts_overlay.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
 #include "ui/views/fan_view.hpp"
 
 #include <gtest/gtest.h>
 
+#include <QDropEvent>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
@@ -134,6 +137,36 @@ TEST(MainWindow, ThePaletteCycleNeverJumpsFromNightToDay) {
     EXPECT_LT(brightness[1], brightness[0]) << "dusk, then night";
     EXPECT_EQ(brightness[2], brightness[0]) << "dusk again";
     EXPECT_GT(brightness[3], 200) << "day";
+}
+
+TEST(MainWindow, TypingIntoAFieldTriggersNoShortcut) {
+    MainWindow window({.remember = false, .play_on_open = false});
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    window.bridge().open("scan", test::scanOpener(60));
+    ASSERT_TRUE(await([&] { return window.bridge().status().state == ReplayState::Paused; }));
+    QTest::keyClick(&window, Qt::Key_F, Qt::ControlModifier);
+    QWidget* field = QApplication::focusWidget();
+    ASSERT_NE(qobject_cast<QLineEdit*>(field), nullptr);
+    QTest::keyClicks(field, "s w.,?");
+    EXPECT_EQ(qobject_cast<QLineEdit*>(field)->text(), "s w.,?");
+    EXPECT_EQ(window.bridge().speed(), 1.0);
+    QTest::qWait(50);
+    window.bridge().poll();
+    EXPECT_EQ(window.bridge().status().state, ReplayState::Paused);
+    EXPECT_TRUE(window.messages().text().isEmpty()) << "no picture was taken";
+}
+
+TEST(MainWindow, TheKeysSheetOpensAndCloses) {
+    MainWindow window({.remember = false});
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    QTest::keyClick(&window, Qt::Key_Question);
+    auto* sheet = window.findChild<ShortcutsOverlay*>();
+    ASSERT_NE(sheet, nullptr);
+    EXPECT_TRUE(sheet->isVisible());
+    QTest::keyClick(sheet, Qt::Key_Escape);
+    EXPECT_FALSE(sheet->isVisible());
 }
 
 TEST(MainWindow, LayoutAndPaletteAreRememberedWhenAsked) {

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+
+namespace echotrail {
+namespace {
+
+/// What came of one run of echotrail-console.
+struct Outcome {
+    int exit_code = -1;
+    QString errors;
+};
+
+Outcome run(const QStringList& arguments, bool with_platform = true) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) environment.remove(name);
+    if (with_platform) environment.insert("QT_QPA_PLATFORM", "offscreen");
+    process.setProcessEnvironment(environment);
+    process.start(ECHOTRAIL_CONSOLE, arguments);
+    EXPECT_TRUE(process.waitForFinished(120'000)) << "it hangs";
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            QString::fromUtf8(process.readAllStandardError())};
+}
+
+class ConsoleProgram : public testing::Test {
+protected:
+    QByteArray bytesOf(const QString& name) const {
+        QFile file(folder_.filePath(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    QTemporaryDir folder_;
+};
+
+TEST_F(ConsoleProgram, WritesAPictureOfTheDemonstrationAtTheMomentAsked) {
+    const QString path = folder_.filePath("night.png");
+    const auto outcome = run({"--demonstration", "--screenshot", path, "--at", "8", "--palette", "night"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors.toStdString();
+    EXPECT_EQ(QImage(path).size(), QSize(1600, 1000));
+}
+
+TEST_F(ConsoleProgram, TheSameCommandGivesTheSamePicture) {
+    for (const char* name : {"one.png", "two.png"})
+        EXPECT_EQ(
+            run({"--demonstration", "--screenshot", folder_.filePath(name), "--at", "5", "--seed", "3"}).exit_code, 0);
+    EXPECT_FALSE(bytesOf("one.png").isEmpty());
+    EXPECT_EQ(bytesOf("one.png"), bytesOf("two.png"));
+}
+
+TEST_F(ConsoleProgram, ShowsTheStartWithoutASource) {
+    EXPECT_EQ(run({"--screenshot", folder_.filePath("start.png")}).exit_code, 0);
+    EXPECT_FALSE(QImage(folder_.filePath("start.png")).isNull());
+}
+
+TEST_F(ConsoleProgram, ClosesWhenToldTo) { EXPECT_EQ(run({"--demonstration", "--quit-after", "0.3"}).exit_code, 0); }
+
+TEST_F(ConsoleProgram, WrongUsageIsExitCodeTwoWithOneLine) {
+    const QList<QStringList> wrong{{"--set", "sound_speeed=1500"},
+                                   {"--set", "sound_speed=9"},
+                                   {"--palette", "pink"},
+                                   {"--at", "3"},
+                                   {"--parameters", "/no/such.toml"}};
+    for (const QStringList& arguments : wrong) {
+        const auto outcome = run(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << arguments.join(' ').toStdString();
+        EXPECT_FALSE(outcome.errors.isEmpty());
+    }
+    EXPECT_TRUE(run({"--set", "sound_speeed=1500"}).errors.contains("did you mean sound_speed?"));
+}
+
+TEST_F(ConsoleProgram, WhatCannotBeReadOrWrittenIsExitCodeOne) {
+    const auto unread = run({"/no/such/file.V4LOG", "--screenshot", folder_.filePath("x.png")});
+    EXPECT_EQ(unread.exit_code, 1);
+    EXPECT_TRUE(unread.errors.contains("file.V4LOG")) << unread.errors.toStdString();
+    EXPECT_EQ(run({"--screenshot", "/no/such/folder/x.png"}).exit_code, 1);
+    const auto dark = run({"--demonstration"}, false);
+    EXPECT_EQ(dark.exit_code, 1);
+    EXPECT_TRUE(dark.errors.contains("no display")) << dark.errors.toStdString();
+}
+
+}  // namespace
+}  // namespace echotrail
