@@ -78,7 +78,7 @@ void ParameterForm::makeTree() {
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(ParameterModel::Name, QHeaderView::Stretch);
     const QFontMetrics metrics(font());
-    header->resizeSection(ParameterModel::Default, metrics.horizontalAdvance("00 000.0"));
+    header->resizeSection(ParameterModel::Default, metrics.horizontalAdvance("Default 00"));
     header->resizeSection(ParameterModel::Value, metrics.horizontalAdvance("00 000.000 +-"));
     header->resizeSection(ParameterModel::Unit, metrics.horizontalAdvance("m/s² 0"));
     header->resizeSection(ParameterModel::State, metrics.horizontalAdvance("✕ refused "));

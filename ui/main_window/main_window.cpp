@@ -24,6 +24,7 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -31,11 +32,14 @@ namespace echotrail {
 namespace {
 
 constexpr int readout_interval_ms = 250;  // numbers change four times a second at most
+constexpr int slow_opening_ms = 300;      // a quick one says nothing, so that the picture does not jump
 constexpr int layout_version = 1;
 
 }  // namespace
 
 MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(parent), options_(options) {
+    if (options_.remember) theme_ = themeFromName(QSettings().value("palette").toString());
+    applyTheme(*qApp, theme_);  // first: all lengths come from its font
     setWindowTitle(tr("Echotrail"));
     setAcceptDrops(true);
     setDockNestingEnabled(true);
@@ -51,7 +55,6 @@ MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(pa
         QSettings settings;
         restoreGeometry(settings.value("geometry").toByteArray());
         restoreState(settings.value("layout").toByteArray(), layout_version);
-        theme_ = themeFromName(settings.value("palette").toString());
         start_->setRecent(recentRecordings());
     }
     setTheme(theme_);
@@ -79,6 +82,7 @@ void MainWindow::makeCentre() {
         bridge_.cancelOpening();
         opening_path_.clear();
     });
+    connect(fan_, &FanView::settingsChanged, this, [this] { bridge_.setEnhanced(fan_->layers().enhanced); });
     connect(fan_, &FanView::designated, this, [this](double range_m, Bearing bearing) {
         bridge_.designate(range_m, bearing.inRadians());
         say(tr("Designated the echo at %1 %2; Delete takes it back.")
@@ -142,8 +146,11 @@ void MainWindow::makeStatusBars() {
 }
 
 void MainWindow::connectBridge() {
-    connect(&bridge_, &PipelineBridge::opening, this,
-            [this](const QString& name) { messages_->sayBusy(tr("Opening %1…").arg(name)); });
+    connect(&bridge_, &PipelineBridge::opening, this, [this](const QString& name) {
+        QTimer::singleShot(slow_opening_ms, this, [this, name] {
+            if (bridge_.isOpening() && bridge_.openingName() == name) messages_->sayBusy(tr("Opening %1…").arg(name));
+        });
+    });
     connect(&bridge_, &PipelineBridge::opened, this, &MainWindow::onOpened);
     connect(&bridge_, &PipelineBridge::openFailed, this, [this](const QString& name, const QString& reason) {
         opening_path_.clear();

@@ -62,6 +62,9 @@ private:
     void makeMenus();
     void makeFileMenu();
     void makeViewMenu();
+    void makeLayersMenu(QMenu& menu);
+    /// Keeps a check mark in step with the fan, whoever changed it.
+    void followFan(QAction& action, std::function<bool(const FanView&)> on);
     void makeTrackMenu();
     void makeRecordingMenu();
     void makeParametersMenu();

@@ -9,6 +9,7 @@
 #include "ui/views/fan_view.hpp"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QDateTime>
 #include <QDir>
@@ -69,8 +70,58 @@ void MainWindow::fillRecentMenu() {
 void MainWindow::makeViewMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&View"));
     addAction(menu, tr("Day, dusk, &night"), QKeySequence("F5"), [this] { nextTheme(); });
+    menu.addSeparator();
+    makeLayersMenu(*menu.addMenu(tr("&Layers")));
+    auto* orientation = new QActionGroup(this);
+    const auto orient = [&](const QString& title, Orientation which) {
+        auto* action = addAction(menu, title, {}, [this, which] { fan_->setOrientation(which); });
+        action->setActionGroup(orientation);
+        followFan(*action, [which](const FanView& fan) { return fan.orientation() == which; });
+    };
+    orient(tr("&Head up"), Orientation::HeadUp);
+    orient(tr("North &up"), Orientation::NorthUp);
+    menu.addSeparator();
+    auto* follow =
+        addAction(menu, tr("F&ollow the vehicle"), QKeySequence("F2"), [this] { fan_->setFollow(!fan_->follows()); });
+    followFan(*follow, [](const FanView& fan) { return fan.follows(); });
+    auto* measure =
+        addAction(menu, tr("&Measure"), QKeySequence("F4"), [this] { fan_->setMeasuring(!fan_->measures()); });
+    followFan(*measure, [](const FanView& fan) { return fan.measures(); });
+    addAction(menu, tr("Fit the &picture"), QKeySequence("0"), [this] { fan_->resetView(); });
+    menu.addSeparator();
     addAction(menu, tr("&Full screen"), QKeySequence("F11"),
               [this] { isFullScreen() ? showNormal() : showFullScreen(); });
+}
+
+void MainWindow::makeLayersMenu(QMenu& menu) {
+    const std::pair<QString, bool Layers::*> layers[] = {
+        {tr("Echoes"), &Layers::echoes},
+        {tr("Enhanced picture"), &Layers::enhanced},
+        {tr("Regions kept"), &Layers::regions_kept},
+        {tr("Regions dropped"), &Layers::regions_dropped},
+        {tr("Particles"), &Layers::particles},
+        {tr("Tracks"), &Layers::tracks},
+        {tr("Ellipses"), &Layers::ellipses},
+        {tr("History, prediction"), &Layers::history},
+        {tr("Region of interest"), &Layers::region_of_interest},
+        {tr("Rings and bearings"), &Layers::graticule},
+        {tr("Target ×4"), &Layers::inset},
+    };
+    for (const auto& [title, layer] : layers) {
+        auto* action = addAction(menu, title, {}, [this, layer = layer] {
+            Layers changed = fan_->layers();
+            changed.*layer = !(changed.*layer);
+            fan_->setLayers(changed);
+        });
+        followFan(*action, [layer = layer](const FanView& fan) { return fan.layers().*layer; });
+    }
+}
+
+void MainWindow::followFan(QAction& action, std::function<bool(const FanView&)> on) {
+    action.setCheckable(true);
+    const auto show = [this, &action, on = std::move(on)] { action.setChecked(on(*fan_)); };
+    connect(fan_, &FanView::settingsChanged, &action, show);
+    show();
 }
 
 void MainWindow::makeTrackMenu() {

@@ -11,7 +11,7 @@
 namespace echotrail {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 20> keys{{
+constexpr std::array<std::pair<const char*, const char*>, 23> keys{{
     {"Space", QT_TRANSLATE_NOOP("ShortcutsOverlay", "play or pause")},
     {"← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "5 s back or on")},
     {"Shift ← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "one sweep back or on")},
@@ -20,7 +20,10 @@ constexpr std::array<std::pair<const char*, const char*>, 20> keys{{
     {", .", QT_TRANSLATE_NOOP("ShortcutsOverlay", "slower, faster")},
     {"Click", QT_TRANSLATE_NOOP("ShortcutsOverlay", "on an echo or a track: designate it")},
     {"Delete", QT_TRANSLATE_NOOP("ShortcutsOverlay", "clear the designation")},
-    {"+ − wheel", QT_TRANSLATE_NOOP("ShortcutsOverlay", "zoom the fan")},
+    {"Ctrl click", QT_TRANSLATE_NOOP("ShortcutsOverlay", "on a track: read its card")},
+    {"+ − wheel", QT_TRANSLATE_NOOP("ShortcutsOverlay", "zoom the fan; 0 fits it again")},
+    {"F2", QT_TRANSLATE_NOOP("ShortcutsOverlay", "follow the vehicle")},
+    {"F4", QT_TRANSLATE_NOOP("ShortcutsOverlay", "measure between two places")},
     {"F5", QT_TRANSLATE_NOOP("ShortcutsOverlay", "day, dusk, night")},
     {"F11", QT_TRANSLATE_NOOP("ShortcutsOverlay", "full screen")},
     {"S", QT_TRANSLATE_NOOP("ShortcutsOverlay", "picture of the window")},

@@ -14,6 +14,12 @@
 
 namespace echotrail {
 
+namespace {
+
+constexpr qint64 long_way_ms = 250;
+
+}  // namespace
+
 const std::vector<double>& offeredSpeeds() {
     static const std::vector<double> speeds{0.1, 0.25, 0.5, 1, 2, 4, 8, 16, 32, 64, ReplayRunner::max_speed};
     return speeds;
@@ -120,7 +126,13 @@ void TransportPanel::showStatus(const ReplayStatus& status) {
     const bool playing = status.state == ReplayState::Playing;
     play_->setSign(playing ? TransportButton::Sign::Pause : TransportButton::Sign::Play);
     timeline_->setPosition(status.position, status.goal);
-    const bool travelling = open && status.goal != status.position;
+    // A step is over before it could be read: only a long way is spoken of.
+    const bool on_the_way = open && status.goal != status.position;
+    if (!on_the_way)
+        travelling_.invalidate();
+    else if (!travelling_.isValid())
+        travelling_.start();
+    const bool travelling = on_the_way && travelling_.elapsed() > long_way_ms;
     if (travelling)
         busy_->setText(
             tr("re-running: ping %1 of %2").arg(Formatter::count(status.position), Formatter::count(status.goal)));

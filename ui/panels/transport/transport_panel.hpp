@@ -2,6 +2,7 @@
 
 #include "ui/bridge/pipeline_bridge.hpp"
 
+#include <QElapsedTimer>
 #include <QWidget>
 #include <vector>
 
@@ -51,6 +52,7 @@ private:
     QLabel* busy_ = nullptr;
     QPushButton* cancel_ = nullptr;
     QLineEdit* go_to_ = nullptr;
+    QElapsedTimer travelling_;  ///< since a seek began that is still under way
     std::optional<std::uint64_t> loop_begin_;
     std::optional<PingSpan> loop_;
 };
