@@ -1,0 +1,33 @@
+#include "core/recording/recording.hpp"
+
+#include "core/recording/byte_dump.hpp"
+#include "core/recording/v4log.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+namespace echotrail {
+
+Result<std::unique_ptr<PingSource>> openRecording(const std::string& path, const RecordingOptions& options) {
+    std::error_code failure;
+    const auto status = std::filesystem::status(path, failure);
+    if (!std::filesystem::exists(status)) return Error{"cannot open " + path + ": there is no such file"};
+    if (std::filesystem::is_directory(status))
+        return Error{"cannot open " + path + ": it is a folder, not a recording"};
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return Error{"cannot open " + path + ": it cannot be read; check its permissions"};
+    std::string start(V4Log::magic.size(), '\0');
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (file.gcount() == 0) return Error{"cannot open " + path + ": the file is empty"};
+    std::unique_ptr<PingSource> source;
+    if (start == V4Log::magic)
+        source = std::make_unique<V4Log>(path, std::move(file), options);
+    else
+        source = std::make_unique<ByteDump>(path, std::move(file), options);
+    if (source->info().pings == 0)
+        return Error{"cannot open " + path +
+                     ": no sonar ping in it; a Seanet Pro .V4LOG or a raw Seanet byte stream is needed"};
+    return source;
+}
+
+}  // namespace echotrail
