@@ -62,9 +62,10 @@ void ParameterDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
         painter->setPen(state ? valueColour(index) : colours.dim);
         painter->setFont(withWeight(option.font, state));
         const int space = option.fontMetrics.averageCharWidth() / 2;
-        painter->drawText(option.rect.adjusted(space, 0, -space, 0),
-                          index.data(Qt::TextAlignmentRole).value<Qt::Alignment>(),
-                          index.data(Qt::DisplayRole).toString());
+        const QRect words = option.rect.adjusted(space, 0, -space, 0);
+        painter->drawText(
+            words, index.data(Qt::TextAlignmentRole).value<Qt::Alignment>(),
+            QFontMetrics(painter->font()).elidedText(index.data().toString(), Qt::ElideRight, words.width()));
     }
     painter->restore();
 }

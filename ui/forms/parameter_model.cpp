@@ -31,9 +31,8 @@ QString text(const std::string& plain) { return QString::fromStdString(plain); }
 QString readableName(const ParameterInfo& info) {
     QStringList words = text(info.name).split('_');
     static const std::vector<std::pair<QString, std::string>> suffixes{
-        {"m", "m"},   {"db", "dB"},   {"deg", "deg"}, {"s", "s"},       {"percent", "%"}, {"mps", "m/s"},
-        {"m2", "m²"}, {"m2", "m2"},   {"hz", "Hz"},   {"mps2", "m/s²"}, {"mps2", "m/s2"}, {"ms", "ms"},
-        {"px", "px"}, {"rad", "rad"}, {"db", "db"},   {"m", "metres"}};
+        {"m", "m"},   {"db", "dB"}, {"deg", "deg"}, {"s", "s"},       {"ms", "ms"},         {"percent", "%"},
+        {"hz", "Hz"}, {"m2", "m²"}, {"mps", "m/s"}, {"mps2", "m/s²"}, {"pixels", "pixels"}, {"percent", "% of range"}};
     for (const auto& [word, unit] : suffixes) {
         if (words.size() < 2 || words.back() != word || info.unit != unit) continue;
         words.removeLast();
@@ -64,7 +63,9 @@ QString limitsText(const ParameterInfo& info) {
         return choices.join(", ");
     }
     if (std::holds_alternative<bool>(info.default_value)) return {};
-    return shownValue(info.minimum) + QStringLiteral(" … ") + shownValue(info.maximum);
+    const QString unit = info.unit == "deg" ? QStringLiteral("°") : text(info.unit);
+    return shownValue(info.minimum) + QStringLiteral(" … ") + shownValue(info.maximum) + (unit.isEmpty() ? "" : " ") +
+           unit;
 }
 
 ParameterModel::ParameterModel(std::vector<ParameterInfo> infos, QObject* parent)

@@ -16,7 +16,7 @@ class ParameterModel : public QAbstractItemModel {
 public:
     enum Column { Name, Default, Value, Unit, State, column_count };
     enum Role {
-        Limits = Qt::UserRole,  ///< "3…40" or the choices
+        Limits = Qt::UserRole,  ///< "3 … 40 dB" or the choices
         Changed,                ///< whether the value differs from the default; of a stage: how many do
         Refusal,                ///< why the last typed value was not taken; empty when it was
         SearchText,             ///< everything a search may hit
@@ -87,7 +87,7 @@ private:
 
 /// "seed_db" becomes "Seed": words for the eye, the unit has a column of its own.
 QString readableName(const ParameterInfo& info);
-/// "2…450", "low, high" or nothing.
+/// "2 … 450 m", "low, high" or nothing.
 QString limitsText(const ParameterInfo& info);
 /// The value as shown: true minus, grouped thousands; "on" and "off" for a flag.
 QString shownValue(const ParameterValue& value);

@@ -1,5 +1,6 @@
 #include "ui/forms/parameter_model.hpp"
 
+#include "core/pipelines/scanning_sonar_pipeline.hpp"
 #include "sample_parameters.hpp"
 #include "ui/forms/parameter_filter.hpp"
 #include "ui/forms/parameter_set.hpp"
@@ -36,7 +37,7 @@ TEST_F(ParameterModelTest, GrowsATreeOfStagesFromTheDescriptions) {
     EXPECT_EQ(model_.rowCount(model_.index(0, 0)), 4);
     EXPECT_EQ(model_.indexOf(4, ParameterModel::Name).data().toString(), "Gate");
     EXPECT_EQ(model_.indexOf(4, ParameterModel::Unit).data().toString(), "m");
-    EXPECT_EQ(model_.indexOf(4).data(ParameterModel::Limits).toString(), "0 … 50");
+    EXPECT_EQ(model_.indexOf(4).data(ParameterModel::Limits).toString(), "0 … 50 m");
 }
 
 TEST_F(ParameterModelTest, AnnouncesAChangeOnceAndMarksIt) {
@@ -135,6 +136,18 @@ TEST_F(ParameterModelTest, TheFilterFindsByEveryWordAndByChange) {
     EXPECT_EQ(filter.index(0, 0).data().toString(), "Tracking");
     model_.undoStack().undo();
     EXPECT_EQ(filter.rowCount(), 0);
+}
+
+TEST(ParameterModelOfThePipeline, HasANameForTheEyeAndAUniqueOneForFiles) {
+    const ParameterModel model(describeParameters<ScanningSonarPipeline::Params>());
+    QStringList plain;
+    for (std::size_t i = 0; i < model.infos().size(); ++i) {
+        const QModelIndex row = model.indexOf(i, ParameterModel::Name);
+        EXPECT_FALSE(row.data().toString().isEmpty());
+        EXPECT_FALSE(row.data(Qt::ToolTipRole).toString().isEmpty());
+        plain << row.data(ParameterModel::PlainName).toString();
+    }
+    EXPECT_EQ(plain.removeDuplicates(), 0);
 }
 
 TEST(ParameterSteps, AreHandyAndStayOnTheirGrid) {
