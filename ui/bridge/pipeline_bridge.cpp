@@ -21,7 +21,11 @@ PipelineBridge::PipelineBridge(QObject* parent) : QObject(parent) {
 PipelineBridge::~PipelineBridge() = default;
 
 void PipelineBridge::openRecording(const QString& path) {
-    open(QFileInfo(path).fileName(), [path = path.toStdString()] { return echotrail::openRecording(path, {}); });
+    RecordingOptions options;
+    const double speed_of_sound = params_.head.sound_speed;
+    if (speed_of_sound != HeadSettings{}.sound_speed) options.sound_speed_mps = speed_of_sound;  // else the file's own
+    open(QFileInfo(path).fileName(),
+         [path = path.toStdString(), options] { return echotrail::openRecording(path, options); });
 }
 
 void PipelineBridge::openDemonstration() {
