@@ -190,11 +190,11 @@ void MainWindow::onOpened() {
     setSummary(time_line_dock_, QString::fromStdString(info.name));
     showStart(false);
     fan_->setFocus(Qt::OtherFocusReason);
-    QStringList foot{tr("Opened %1").arg(QString::fromStdString(info.name)), QString::fromStdString(info.head)};
-    for (const std::string& note : info.notes) foot << QString::fromStdString(note);
-    foot.removeAll(QString());
-    foot_->setText(foot.join("   "));
-    foot_->setToolTip(foot.join("\n"));
+    QStringList notes;
+    for (const std::string& note : info.notes) notes << QString::fromStdString(note);
+    foot_->setText(tr("Opened %1").arg(QString::fromStdString(info.name)) + "   " + QString::fromStdString(info.head) +
+                   (notes.isEmpty() ? QString() : "   " + tr("notes on it under FILE")));
+    foot_->setToolTip(notes.join("\n"));
     if (options_.play_on_open) bridge_.play();
 }
 

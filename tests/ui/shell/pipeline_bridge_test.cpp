@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QFileInfo>
 #include <stdexcept>
 #include <thread>
 
@@ -72,6 +73,21 @@ TEST_F(PipelineBridgeTest, SkippedSecondsAddUp) {
     ASSERT_TRUE(await([&] { return rests() && bridge_.status().position == 201; }));
     bridge_.skipSeconds(-100.0);
     ASSERT_TRUE(await([&] { return rests() && bridge_.status().position == 1; }));
+}
+
+TEST_F(PipelineBridgeTest, ARealRecordingIsOpenedAndItsTargetFollowedToTheEnd) {
+    const QString path = ECHOTRAIL_SHARED_DATA "/seanet/seaking_dfs_v4log/seaking_dfs_first312.V4LOG";
+    if (!QFileInfo::exists(path)) GTEST_SKIP() << "needs the shared recordings";
+    bridge_.openRecording(path);
+    ASSERT_TRUE(await([&] { return opened_ == 1; }));
+    ASSERT_TRUE(await([&] { return bridge_.timeline().analysed == 312; }));
+    const auto& confirmed = bridge_.timeline().confirmed;
+    ASSERT_FALSE(confirmed.empty());
+    EXPECT_EQ(confirmed.back().end, 312U);
+    bridge_.seekPosition(312);
+    ASSERT_TRUE(await([&] { return bridge_.scene() && bridge_.scene()->at_end; }));
+    EXPECT_FALSE(bridge_.scene()->tracks.empty());
+    EXPECT_FALSE(bridge_.scene()->fan.empty());
 }
 
 TEST_F(PipelineBridgeTest, ClosingLeavesNothingBehind) {
