@@ -71,6 +71,7 @@ TEST(ReplayRunner, PlaysToTheEndWithTheTracksOfAStraightRun) {
     await([&] { return runner.status().state == ReplayState::Ended; });
     const Scene scene = sceneAt(runner, pings);
     EXPECT_TRUE(scene.at_end);
+    EXPECT_FALSE(scene.tracks.empty()) << "the comparison below would compare nothing";
     EXPECT_EQ(scene.ping.sequence, pings - 1);
     EXPECT_EQ(fingerprint(scene.tracks), straightRun(pings, true));
 }
