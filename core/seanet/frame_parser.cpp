@@ -16,21 +16,44 @@ int hexDigit(std::uint8_t c) {
     return -1;
 }
 
+/// The length that a frame beginning here tells twice, or 0 where the two disagree or are not all there.
+std::size_t toldLength(Bytes bytes) {
+    if (bytes.size() < header_bytes) return 0;
+    std::size_t told = 0;
+    for (std::size_t i = 1; i <= 4; ++i) {
+        const int digit = hexDigit(bytes[i]);
+        if (digit < 0) return 0;
+        told = told * 16 + static_cast<std::size_t>(digit);
+    }
+    return told == u16(bytes, 5) ? told + 6 : 0;
+}
+
+/// Whether another frame begins inside this one and ends beyond it: then bytes of this one were lost on the way, and
+/// what stands in the place of its line feed is data of the other.
+bool runsIntoAnother(Bytes frame) {
+    for (Bytes rest = frame.subspan(1);;) {
+        const auto* at = static_cast<const std::uint8_t*>(std::memchr(rest.data(), '@', rest.size()));
+        if (!at) return false;
+        rest = rest.subspan(static_cast<std::size_t>(at - rest.data()));
+        const std::size_t length = toldLength(rest);
+        if (length > rest.size() && length <= FrameParser::longest_frame) return true;
+        rest = rest.subspan(1);
+    }
+}
+
 }  // namespace
 
 FrameParser::Check FrameParser::check(Bytes bytes, std::size_t& length) const {
-    std::size_t told = 0;
-    for (std::size_t i = 1; i <= std::min<std::size_t>(4, bytes.size() - 1); ++i) {
-        const int digit = hexDigit(bytes[i]);
-        if (digit < 0) return Check::BadLength;
-        told = told * 16 + static_cast<std::size_t>(digit);
-    }
+    // Before all digits are there, a wrong one already tells that this is no frame.
+    for (std::size_t i = 1; i <= std::min<std::size_t>(4, bytes.size() - 1); ++i)
+        if (hexDigit(bytes[i]) < 0) return Check::BadLength;
     if (bytes.size() < header_bytes) return Check::Incomplete;
-    length = told + 6;
-    if (told != u16(bytes, 5)) return Check::LengthsDiffer;
+    length = toldLength(bytes);
+    if (length == 0) return Check::LengthsDiffer;
     if (length < shortest_frame || length > longest_frame) return Check::BadLength;
     if (bytes.size() < length) return Check::Incomplete;
-    return bytes[length - 1] == 0x0A ? Check::Whole : Check::NoLineFeed;
+    if (bytes[length - 1] != 0x0A) return Check::NoLineFeed;
+    return runsIntoAnother(bytes.first(length)) ? Check::BytesLost : Check::Whole;
 }
 
 void FrameParser::skip(std::size_t bytes) {
@@ -79,6 +102,9 @@ void FrameParser::extract(const Sink& sink) {
                 break;
             case Check::NoLineFeed:
                 reject("no_line_feed");
+                break;
+            case Check::BytesLost:
+                reject("bytes_lost");
                 break;
         }
     }

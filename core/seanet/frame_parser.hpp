@@ -27,8 +27,9 @@ struct Frame {
 };
 
 /// Bytes in, in any split; whole frames out. On any failure it gives up one byte and searches on, so that a damaged
-/// frame never hides a whole one behind it. No length is trusted before the line feed is in its place.
-/// State: the bytes of an unfinished frame, at most `longest_frame`; counts since construction.
+/// frame never hides a whole one behind it, not even where lost bytes drew that one's beginning into it. No length is
+/// trusted before the line feed is in its place. State: the bytes of an unfinished frame, at most `longest_frame`;
+/// counts since construction.
 class FrameParser {
 public:
     static constexpr std::size_t shortest_frame = 14;
@@ -51,7 +52,7 @@ public:
     std::size_t unfinishedBytes() const { return buffer_.size() - begin_; }
 
 private:
-    enum class Check { Whole, Incomplete, BadLength, LengthsDiffer, NoLineFeed };
+    enum class Check { Whole, Incomplete, BadLength, LengthsDiffer, NoLineFeed, BytesLost };
     Check check(Bytes bytes, std::size_t& length) const;
     void extract(const Sink& sink);
     void skip(std::size_t bytes);
