@@ -19,6 +19,8 @@ public:
     double uniform();
     /// Zero mean, unit variance (Box–Muller).
     double gaussian();
+    /// Many Gaussian numbers at once, in single precision and fast: from whole blocks of 256 after those begun, so
+    /// that a call takes ceil(size / 256) of them. Not the numbers that gaussian() would give.
     void fillGaussian(std::span<float> out);
 
 private:
