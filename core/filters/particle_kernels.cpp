@@ -1,5 +1,6 @@
 #include "core/filters/particle_kernels.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -9,12 +10,16 @@
 namespace echotrail {
 namespace {
 
+constexpr float least_exponent = -88.0F;  // its power of two has exponent bits 0: it is zero
 constexpr float largest_exponent = 80.0F;
 
-/// exp on ±80, zero below: x = k ln 2 + r with |r| ≤ ½ ln 2, 2^k by its exponent bits, exp(r) by its series.
-inline float boundedExp(float x) {
-    float t = x > -largest_exponent ? x : -largest_exponent;  // also takes in what is not a number
-    t = t < largest_exponent ? t : largest_exponent;
+inline float bounded(float x) {
+    const float raised = x > least_exponent ? x : least_exponent;  // also takes in what is not a number
+    return raised < largest_exponent ? raised : largest_exponent;
+}
+
+/// exp within the limits: t = k ln 2 + r with |r| ≤ ½ ln 2, 2^k by its exponent bits, exp(r) by its series.
+inline float boundedExp(float t) {
     constexpr float rounding = 0x1.8p23F;  // adding it leaves the nearest whole number in the low bits
     const float shifted = t * std::numbers::log2e_v<float> + rounding;
     const float k = shifted - rounding;
@@ -22,8 +27,7 @@ inline float boundedExp(float x) {
     const float series =
         1.0F + r * (1.0F + r * (1.0F / 2 + r * (1.0F / 6 + r * (1.0F / 24 + r * (1.0F / 120 + r * (1.0F / 720))))));
     const std::uint32_t power = (std::bit_cast<std::uint32_t>(shifted) + 127U) << 23;
-    const float value = series * std::bit_cast<float>(power);
-    return x > -largest_exponent ? value : 0.0F;
+    return series * std::bit_cast<float>(power);
 }
 
 inline float logTerm(const GaussianTerm& term, float north, float east) {
@@ -64,8 +68,15 @@ void logDensity(const GaussianTerm& term, Positions at, std::span<float> log) {
 void addRelativeDensity(const GaussianTerm& term, Positions at, std::span<const float> log_reference,
                         std::span<float> sum) {
     const GaussianTerm t = term;
-    for (std::size_t i = 0; i < sum.size(); ++i)
-        sum[i] += boundedExp(logTerm(t, at.north[i], at.east[i]) - log_reference[i]);
+    constexpr std::size_t longest = 256;
+    std::array<float, longest> exponent;
+    for (std::size_t begin = 0; begin < sum.size(); begin += longest) {
+        const std::size_t count = std::min(longest, sum.size() - begin);
+        // Two loops: in one, the compiler branches around the exponential of a bound and gives up its vectors.
+        for (std::size_t i = 0; i < count; ++i)
+            exponent[i] = bounded(logTerm(t, at.north[begin + i], at.east[begin + i]) - log_reference[begin + i]);
+        for (std::size_t i = 0; i < count; ++i) sum[begin + i] += boundedExp(exponent[i]);
+    }
 }
 
 void placePairs(const Eigen::Vector2d& mean, const Eigen::Matrix2d& root, Positions normals, std::span<float> north,

@@ -29,7 +29,7 @@ struct GaussianTerm {
 void logDensity(const GaussianTerm& term, Positions at, std::span<float> log);
 
 /// sum[i] += term at position i / exp(log_reference[i]). The exponential is good to 2e-7 relative; quotients below
-/// exp(−80) count as zero and above exp(80) as exp(80).
+/// exp(−87) count as zero and above exp(80) as exp(80).
 void addRelativeDensity(const GaussianTerm& term, Positions at, std::span<const float> log_reference,
                         std::span<float> sum);
 
