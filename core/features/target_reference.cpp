@@ -12,7 +12,6 @@ namespace {
 // Half the width of a Gaussian beam's echo on the contour Δ = 12 dB below its peak, in beam widths: √(Δ/6.02)/2.
 constexpr double contour_factor = 1.41;
 constexpr double strength_left_out_db = 1000.0;
-constexpr double least_width_m = 0.02;
 constexpr double least_fill = 0.2, greatest_fill = 2.0;
 
 double footprintAcross(const EchoGeometry& geometry) {
@@ -23,9 +22,7 @@ double ellipseArea(double across, double along) { return std::numbers::pi / 4.0 
 
 double squared(double value) { return value * value; }
 
-double widthOf(double own_squared, double footprint) {
-    return std::sqrt(std::max(own_squared + squared(footprint), squared(least_width_m)));
-}
+double without(double whole, double part) { return std::sqrt(std::max(squared(whole) - squared(part), 0.0)); }
 
 double learned(double now, double seen, double first, double share) {
     const double next = now + std::clamp(share * (seen - now), -0.05 * now, 0.05 * now);
@@ -38,16 +35,20 @@ TargetReference::TargetReference(const RegionFeatures& seen, const EchoGeometry&
     : first_(own(seen, geometry)), now_(first_) {}
 
 TargetReference::Extent TargetReference::own(const RegionFeatures& seen, const EchoGeometry& geometry) {
+    const double across = footprintAcross(geometry), along = geometry.point_length_m;
     const double ellipse = ellipseArea(seen.across_range_m, seen.along_range_m);
-    return {squared(seen.across_range_m) - squared(footprintAcross(geometry)),
-            squared(seen.along_range_m) - squared(geometry.point_length_m),
-            std::clamp(seen.area_m2 / ellipse, least_fill, greatest_fill), seen.strength_db};
+    return {.across_m = without(seen.across_range_m, across),
+            .along_m = without(seen.along_range_m, along),
+            .across_scale = std::min(1.0, seen.across_range_m / across),
+            .along_scale = std::min(1.0, seen.along_range_m / along),
+            .fill = std::clamp(seen.area_m2 / ellipse, least_fill, greatest_fill),
+            .strength_db = seen.strength_db};
 }
 
 RegionFeatures TargetReference::look(const Extent& extent, const EchoGeometry& geometry) {
     RegionFeatures features;
-    features.across_range_m = widthOf(extent.across_squared, footprintAcross(geometry));
-    features.along_range_m = widthOf(extent.along_squared, geometry.point_length_m);
+    features.across_range_m = std::hypot(extent.across_m, extent.across_scale * footprintAcross(geometry));
+    features.along_range_m = std::hypot(extent.along_m, extent.along_scale * geometry.point_length_m);
     const double elongation = features.across_range_m / features.along_range_m;
     features.area_m2 = extent.fill * ellipseArea(features.across_range_m, features.along_range_m);
     // M2 of an ellipse, its second moments taken relative to the area it really has.

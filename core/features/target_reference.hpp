@@ -54,8 +54,8 @@ struct EchoGeometry {
 
 /// What the target looks like, freed from the sonar's footprint. A small target's echo is mostly the footprint, which
 /// grows with range, so area and moment are predicted for the present range: width² = own² + footprint², along and
-/// across the line of sight (method card, section e). `own²` may be negative: the footprint is a model, and a head
-/// with a finer beam than it says is met like any other.
+/// across the line of sight (method card, section e). An echo smaller than the footprint has no extent of its own, and
+/// scales the footprint down: the footprint is a model, and heads differ.
 class TargetReference {
 public:
     /// From the first region of a track.
@@ -68,8 +68,9 @@ public:
 
 private:
     struct Extent {
-        double across_squared = 0.0, along_squared = 0.0;  ///< own², m²
-        double fill = 1.0;                                 ///< area relative to the ellipse of the same widths
+        double across_m = 0.0, along_m = 0.0;          ///< own
+        double across_scale = 1.0, along_scale = 1.0;  ///< of the footprint, at most 1
+        double fill = 1.0;                             ///< area relative to the ellipse of the same widths
         double strength_db = 0.0;
     };
     static Extent own(const RegionFeatures& seen, const EchoGeometry& geometry);

@@ -37,22 +37,31 @@ void BeamPass::follow(const BeamMoment& beam, const ExpectedPlace& place, double
     if (!inside_) {
         inside_ = true;
         start_ = beam.time;
-        nearest_turn_ = lowest_turn_ = highest_turn_ = turn;
-        nearest_time_ = beam.time;
-        nearest_head_ = beam.head;
+        first_azimuth_ = beam.azimuth;
     }
-    lowest_turn_ = std::min(lowest_turn_, turn);
-    highest_turn_ = std::max(highest_turn_, turn);
-    if (std::abs(turn) < std::abs(nearest_turn_)) {
+    const double swept = beam.azimuth - first_azimuth_;
+    lowest_turn_ = std::min(lowest_turn_, swept);
+    highest_turn_ = std::max(highest_turn_, swept);
+    if (beam.time == start_ || std::abs(turn) < std::abs(nearest_turn_)) {
         nearest_turn_ = turn;
         nearest_time_ = beam.time;
         nearest_head_ = beam.head;
+        nearest_place_ = place;
+        nearest_beam_ = beam;
     }
-    const double sigma_rad = std::max(place.across_sigma_m / std::max(place.range_m, 0.1), 1e-3);
-    const double reach = std::max(beam.step_rad, beam.beam_width_rad) / 2.0;  // a beam looks a little to each side
-    across_ = normalMass((lowest_turn_ - reach) / sigma_rad, (highest_turn_ + reach) / sigma_rad);
-    const double along_sigma = std::max(place.along_sigma_m, 1e-2);
-    along_ = normalMass((beam.near_m - place.range_m) / along_sigma, (beam.far_m - place.range_m) / along_sigma);
+}
+
+double BeamPass::coverage() const {
+    if (!inside_) return 0.0;
+    // Where the place was, as a turn from the first beam; distances across the line of sight as arcs.
+    const double place = nearest_place_.azimuth - first_azimuth_;
+    const double reach = std::max(nearest_beam_.step_rad, nearest_beam_.beam_width_rad) / 2.0;
+    const double arc = nearest_place_.range_m / std::max(nearest_place_.across_sigma_m, 1e-2);
+    const double along_sigma = std::max(nearest_place_.along_sigma_m, 1e-2);
+    const double across = normalMass((lowest_turn_ - reach - place) * arc, (highest_turn_ + reach - place) * arc);
+    const double along =
+        normalMass(-nearest_place_.range_m / along_sigma, (nearest_beam_.far_m - nearest_place_.range_m) / along_sigma);
+    return across * along;
 }
 
 }  // namespace echotrail

@@ -8,12 +8,13 @@ namespace echotrail {
 /// One ping as tracking sees it: when, from where, and which way the beam looked.
 struct BeamMoment {
     Timestamp time{};
-    Pose head;                      ///< of the sonar head in the local frame; its heading is the bow's
-    Bearing azimuth;                ///< of the beam, from north
-    double step_rad = 0.0;          ///< between pings
-    double beam_width_rad = 0.0;    ///< one way, between half-power points
-    double near_m = 0.0;            ///< what is nearer is not looked at
-    double far_m = 0.0;             ///< end of the echo line
+    Pose head;                    ///< of the sonar head in the local frame; its heading is the bow's
+    Bearing azimuth;              ///< of the beam, from north
+    double step_rad = 0.0;        ///< between pings
+    double beam_width_rad = 0.0;  ///< one way, between half-power points
+    double near_m = 0.0;          ///< what is nearer is not looked at
+    double far_m = 0.0;           ///< end of the echo line
+    double range_scale_m = 0.0;
     double point_length_m = 0.0;    ///< length in range of a point's echo
     double faintest_db = 8.0;       ///< no region stands out less from the background
     bool turned_round = false;      ///< the beam's movement broke off before this ping: turned, flew back, or a gap
@@ -50,7 +51,7 @@ public:
     Timestamp nearestTime() const { return nearest_time_; }
     const Pose& nearestHead() const { return nearest_head_; }
     /// Share of the expected place's probability that the beam passed over, 0…1.
-    double coverage() const { return ended_ || inside_ ? across_ * along_ : 0.0; }
+    double coverage() const;
 
 private:
     bool inside_ = false;
@@ -58,11 +59,12 @@ private:
     Timestamp start_{};
     Timestamp nearest_time_{};
     Pose nearest_head_;
-    double nearest_turn_ = 0.0;
-    double lowest_turn_ = 0.0;  ///< of the beam relative to the expected place, radians
+    ExpectedPlace nearest_place_;  ///< as expected when the beam was nearest
+    BeamMoment nearest_beam_;
+    double nearest_turn_ = 0.0;  ///< of the beam from the expected place then, radians
+    Bearing first_azimuth_;
+    double lowest_turn_ = 0.0;  ///< of the beam from first_azimuth_
     double highest_turn_ = 0.0;
-    double across_ = 0.0;
-    double along_ = 0.0;
 };
 
 }  // namespace echotrail

@@ -161,6 +161,7 @@ void Tracker::completePass(FollowedTrack& followed, const std::vector<std::size_
 void Tracker::takeEcho(FollowedTrack& followed, const Region& region, const Pairing& pairing) {
     Track& track = followed.track;
     const EchoGeometry geometry = geometryAt(region.range_m);
+    followed.quiet_sweeps = 0;
     track.score = pairing.likeness;
     track.nis = pairing.nis;
     track.innovation_m = pairing.innovation_m;

@@ -14,6 +14,8 @@ constexpr double least_clutter_density = 2e-5;  // regions per m²
 constexpr double clutter_memory = 0.8;          // share of the past in the learned density, per sweep
 constexpr double gate_sigmas = 3.0;
 constexpr double least_excess_db = 2.0, strongest_clutter_db = 20.0;
+constexpr double widest_interest = 0.1;    // of the range scale, to each side
+constexpr double vaguest_tentative = 0.1;  // deviation of an unproven track, in range scales
 constexpr int sweeps_to_merge = 3;
 
 }  // namespace
@@ -37,11 +39,12 @@ void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions,
     }
     if (beam.sweep_ended) endSweep();
     beam_ = beam;
-    scanned_area_m2_ += beam.step_rad * (beam.far_m * beam.far_m - beam.near_m * beam.near_m) / 2.0;
+    scanned_area_m2_ += beam.step_rad * beam.far_m * beam.far_m / 2.0;
     for (FollowedTrack& followed : followed_) {
         const ExpectedPlace place = expectedPlace(predict(followed, beam.time), beam.head);
         const double half_width = halfWidth(place);
         followed.pass.follow(beam, place, half_width);
+        followed.expected_range_m = place.range_m;
         const double along = gate_sigmas * place.along_sigma_m + followed.track.expected_features.along_range_m;
         followed.track.region_of_interest = {
             beam.head.north_m,    beam.head.east_m, place.azimuth, half_width, std::max(place.range_m - along, 0.0),
@@ -49,7 +52,13 @@ void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions,
     }
     settle(still_on, looks);
     giveUpUnseen(looks);
-    std::erase_if(followed_, [&](const FollowedTrack& f) { return isForgotten(f.track, beam.time, params_.life); });
+    std::erase_if(followed_, [&](const FollowedTrack& f) {
+        const double spread = f.track.estimate.covariance.topLeftCorner<2, 2>().trace();
+        const bool unproven =
+            f.track.state == TrackState::Tentative && (f.quiet_sweeps > params_.life.tentative_misses ||
+                                                       std::sqrt(spread) > vaguest_tentative * beam.range_scale_m);
+        return unproven || isForgotten(f.track, beam.time, params_.life);
+    });
     applyDesignation();
 }
 
@@ -61,6 +70,7 @@ void Tracker::giveUpUnseen(std::vector<TrackLook>& looks) {
         if (!alive || secondsBetween(track.last_seen, beam_.time) <= params_.life.lost_after_s) continue;
         track.state = TrackState::Lost;
         track.estimate = predict(followed, beam_.time);
+        widenSearch(track, params_.life);  // which also bounds it
         looks.push_back(lookOf(followed, beam_.time, false, beam_.head));
     }
 }
@@ -96,7 +106,11 @@ void Tracker::interestsAt(const BeamMoment& beam, std::vector<RangeOfInterest>& 
     for (const FollowedTrack& followed : followed_) {
         if (followed.track.state == TrackState::Tentative || followed.track.state == TrackState::Lost) continue;
         const PolarBox& box = followed.track.region_of_interest;
-        if (std::abs(beam.azimuth - box.centre) <= box.half_width_rad) interests.push_back({box.near_m, box.far_m});
+        if (std::abs(beam.azimuth - box.centre) > box.half_width_rad) continue;
+        // A place known only roughly is no reason to look for faint echoes everywhere.
+        const double middle = followed.expected_range_m;
+        const double reach = std::min(box.far_m - middle, widest_interest * beam.range_scale_m);
+        interests.push_back({middle - reach, middle + reach});
     }
 }
 
@@ -195,7 +209,8 @@ void Tracker::bear(const Region& region, std::vector<TrackLook>& looks) {
     track.looks = 1;
     track.born = track.last_seen = track.estimate.time = region.time;
     track.estimate.mean.head<2>() = region.position_m;
-    const double position = params_.tracking.initial_position_sigma_m, speed = params_.tracking.initial_speed_sigma_mps;
+    const double position = beam_.range_scale_m * params_.tracking.initial_position_sigma_percent / 100.0,
+                 speed = params_.tracking.initial_speed_sigma_mps;
     track.estimate.covariance.setZero();
     track.estimate.covariance.diagonal() << position * position, position * position, speed * speed, speed * speed;
     track.estimate.covariance.topLeftCorner<2, 2>() += measurementCovariance(region);
@@ -237,7 +252,10 @@ void Tracker::applyDesignation() {
 }
 
 void Tracker::endSweep() {
-    for (FollowedTrack& followed : followed_) followed.track.existence *= params_.life.survival_per_sweep;
+    for (FollowedTrack& followed : followed_) {
+        followed.track.existence *= params_.life.survival_per_sweep;
+        ++followed.quiet_sweeps;
+    }
     // The given value counts as one sweep; from then on a running mean, and a fading one in the end.
     const double memory = std::min(clutter_memory, 1.0 - 1.0 / (2.0 + sweeps_learned_++));
     clutter_per_sweep_ = memory * clutter_per_sweep_ + (1.0 - memory) * unclaimed_;

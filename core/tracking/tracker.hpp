@@ -20,7 +20,7 @@ struct TrackerParams {
     double unknown_turn_deg = 1.0;
     double range_sigma_m = 0.15;
     double heading_sigma_deg = 0.3;
-    double initial_position_sigma_m = 0.8;
+    double initial_position_sigma_percent = 1.6;
     double initial_speed_sigma_mps = 0.5;
     double max_speed_mps = 2.0;
     double gate = 13.8;
@@ -42,7 +42,7 @@ struct Described<TrackerParams> {
               "Without a heading sensor: how far the vehicle may turn unnoticed"},
         Field{&P::range_sigma_m, "range_sigma_m", "m", 0.01, 5, "Deviation of a region's range"},
         Field{&P::heading_sigma_deg, "heading_sigma_deg", "deg", 0, 20, "Deviation of the heading"},
-        Field{&P::initial_position_sigma_m, "initial_position_sigma_m", "m", 0.05, 20,
+        Field{&P::initial_position_sigma_percent, "initial_position_sigma_percent", "% of range scale", 0.1, 20,
               "Deviation of a new track's place from its first region"},
         Field{&P::initial_speed_sigma_mps, "initial_speed_sigma_mps", "m/s", 0.01, 10,
               "Deviation of a new track's velocity from rest"},
@@ -69,9 +69,11 @@ struct FollowedTrack {
     Track track;
     TargetReference reference;
     BeamPass pass;
-    std::uint64_t updates = 0;  ///< names the random stream of the next one
-    int good_looks = 0;         ///< running, of a lost track: two bring it back
-    int shadowed_sweeps = 0;    ///< running, in which an older track was as good as here
+    double expected_range_m = 0.0;  ///< at the last ping
+    std::uint64_t updates = 0;      ///< names the random stream of the next one
+    int good_looks = 0;             ///< running, of a lost track: two bring it back
+    int quiet_sweeps = 0;           ///< since the last echo
+    int shadowed_sweeps = 0;        ///< running, in which an older track was as good as here
 };
 
 /// Follows several objects at once, one of them the operator's target.

@@ -37,6 +37,7 @@ public:
             beam.step_rad = radiansFromDegrees(step_deg);
             beam.beam_width_rad = radiansFromDegrees(3);
             beam.far_m = 50;
+            beam.range_scale_m = 50;
             beam.point_length_m = 0.5;
             beam.turned_round = beam.sweep_ended = ping_ > 0 && (phase == 1 || phase == per_sweep + 1);
             beam.navigation_known = true;
@@ -75,7 +76,8 @@ private:
         region.beam_hits = 3;
         // What an ellipse of these widths would give: M2 = [(e − 1/e)/4π]², e = across/along.
         const double along = 0.6, across = object.area_m2 / (M_PI / 4 * along), e = across / along;
-        region.features = {object.area_m2, std::log10(std::pow((e - 1 / e) / (4 * M_PI), 2) + 1e-3), along, across};
+        region.contrast_db = 25;
+        region.features = {object.area_m2, std::log10(std::pow((e - 1 / e) / (4 * M_PI), 2) + 1e-3), along, across, 25};
         return region;
     }
     std::vector<Object> objects_;
