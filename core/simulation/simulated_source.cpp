@@ -1,0 +1,76 @@
+#include "core/simulation/simulated_source.hpp"
+
+#include "core/simulation/ping_model.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace echotrail {
+
+namespace {
+
+constexpr Microseconds navigation_interval{50'000};
+
+SourceInfo describe(const Scenario& scenario) {
+    const auto pings = static_cast<std::uint64_t>(scenario.duration_s / pingInterval(scenario)) + 1;
+    const Ping last = simulatePing(scenario, 0, pings - 1);
+    return {.name = scenario.name,
+            .format = "simulation",
+            .head = "simulated SeaKing DFS, 325 kHz",
+            .start = simulation_start,
+            .end = last.time,
+            .pings = pings,
+            .range_scale_m = scenario.range_m,
+            .sound_speed_mps = last.sound_speed_mps,
+            .notes = {scenario.description}};
+}
+
+TruthSample sampleTruth(const Scenario& scenario, std::uint64_t ping, std::size_t target) {
+    const double time_s = pingTime(scenario, ping);
+    const Pose vehicle = vehiclePose(scenario.vehicle, time_s);
+    const TargetMotion motion = targetMotion(scenario.targets[target], time_s);
+    const Eigen::Vector2d way = motion.position_m - Eigen::Vector2d(vehicle.north_m, vehicle.east_m);
+    const double from_bow = wrapRadians(std::atan2(way.y(), way.x()) - vehicle.heading.inRadians());
+    return {.time = simulation_start + microsecondsFromSeconds(time_s),
+            .target = static_cast<int>(target),
+            .north_m = motion.position_m.x(),
+            .east_m = motion.position_m.y(),
+            .velocity_north_mps = motion.velocity_mps.x(),
+            .velocity_east_mps = motion.velocity_mps.y(),
+            .visible = std::abs(from_bow) <= radiansFromDegrees(scenario.sector_half_width_deg) &&
+                       way.norm() <= scenario.range_m};
+}
+
+}  // namespace
+
+SimulatedSource::SimulatedSource(Scenario scenario, std::uint64_t seed)
+    : scenario_(std::move(scenario)), seed_(seed), info_(describe(scenario_)) {
+    const Timestamp last_echo = info_.end + microsecondsFromSeconds(pingInterval(scenario_));
+    for (Timestamp time = info_.start; time < last_echo + navigation_interval; time += navigation_interval)
+        navigation_.add({time, vehiclePose(scenario_.vehicle, secondsBetween(info_.start, time))});
+}
+
+std::optional<Ping> SimulatedSource::next() {
+    if (next_ == info_.pings) return std::nullopt;
+    return simulatePing(scenario_, seed_, next_++);
+}
+
+std::vector<TruthSample> SimulatedSource::truth() const {
+    std::vector<TruthSample> samples;
+    samples.reserve(info_.pings * scenario_.targets.size());
+    for (std::uint64_t ping = 0; ping < info_.pings; ++ping)
+        for (std::size_t target = 0; target < scenario_.targets.size(); ++target)
+            samples.push_back(sampleTruth(scenario_, ping, target));
+    return samples;
+}
+
+Result<std::unique_ptr<SimulatedSource>> openSimulation(std::string_view name, std::uint64_t seed) {
+    std::string known;
+    for (const Scenario& scenario : scenarios()) {
+        if (scenario.name == name) return std::make_unique<SimulatedSource>(scenario, seed);
+        known += (known.empty() ? "" : ", ") + scenario.name;
+    }
+    return Error{"there is no simulation named '" + std::string(name) + "'; there are: " + known};
+}
+
+}  // namespace echotrail

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/data/source.hpp"
+#include "core/simulation/scenario.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace echotrail {
+
+/// Where a target truly was when a ping was transmitted.
+struct TruthSample {
+    Timestamp time{};      ///< of the ping
+    int target = 0;        ///< its place in Scenario::targets
+    double north_m = 0.0;  ///< local frame
+    double east_m = 0.0;
+    double velocity_north_mps = 0.0;
+    double velocity_east_mps = 0.0;
+    bool visible = false;  ///< inside the scanned sector and range, whatever way the beam looks just now
+};
+
+/// A scenario, ping by ping, with the navigation that belongs to it. The same scenario and seed give the same bytes.
+class SimulatedSource final : public PingSource {
+public:
+    SimulatedSource(Scenario scenario, std::uint64_t seed);
+
+    std::optional<Ping> next() override;
+    void rewind() override { next_ = 0; }
+    const SourceInfo& info() const override { return info_; }
+    SourceCounts counts() const override { return {}; }
+    /// The vehicle's true poses, one every 50 ms, until the last echo has come back.
+    const PoseHistory& navigation() const override { return navigation_; }
+
+    const Scenario& scenario() const { return scenario_; }
+    /// For every ping, each target in turn.
+    std::vector<TruthSample> truth() const;
+
+private:
+    Scenario scenario_;
+    std::uint64_t seed_;
+    std::uint64_t next_ = 0;
+    SourceInfo info_;
+    PoseHistory navigation_;
+};
+
+/// A built-in scenario by its name. The error names them all.
+Result<std::unique_ptr<SimulatedSource>> openSimulation(std::string_view name, std::uint64_t seed);
+
+}  // namespace echotrail
