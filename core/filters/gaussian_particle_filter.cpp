@@ -54,7 +54,11 @@ GaussianParticleFilter::GaussianParticleFilter(const Params& params) : params_(p
 GaussianParticleFilter::Posterior GaussianParticleFilter::update(const GaussianState& prior, double miss_weight,
                                                                  std::span<const Cue> cues, RandomStream stream,
                                                                  ParticleCloud* cloud) {
-    if (cloud) *cloud = {};
+    if (cloud) {  // emptied, its memory kept for the next particles
+        cloud->position_m.clear();
+        cloud->weight.clear();
+        cloud->effective = 0.0;
+    }
     Posterior posterior{.state = prior, .evidence = std::isfinite(miss_weight) ? std::max(miss_weight, 0.0) : 0.0};
     posterior.missed = !isFinite(prior);
     if (posterior.missed) return posterior;
