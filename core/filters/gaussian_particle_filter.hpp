@@ -57,8 +57,8 @@ struct Described<GaussianParticleFilterParams> {
 /// therefore positions; the velocity's moments follow from theirs in closed form (Rao–Blackwell), which costs less and
 /// errs less than drawing velocities as well.
 ///
-/// π is a share of the prior plus, for each cue, the Kalman update with that cue, both widened. Each component's draws
-/// come in pairs ± and are whitened to its exact mean and covariance.
+/// π is a share of the prior plus, for each cue, the Kalman update with that cue, of widened noise and itself widened.
+/// Each component's draws come in pairs ± and are whitened to its exact mean and covariance.
 ///
 /// State:   scratch memory only; nothing of one update shows in the next.
 /// Threads: one at a time; the result depends on the arguments alone.
@@ -70,7 +70,7 @@ public:
         GaussianState state;
         double evidence = 0.0;               ///< ∫ likelihood · prior: mean of likelihood · prior / π
         double effective_sample_size = 0.0;  ///< 1 / sum of squared normalised weights
-        bool missed = false;                 ///< numerically unusable: `state` is the prior, to be treated as a miss
+        bool missed = false;  ///< numerically unusable: `state` is the prior with its floors; treat as a miss
     };
 
     explicit GaussianParticleFilter(const Params& params);
@@ -122,8 +122,8 @@ private:
     std::vector<float> pool_north_, pool_east_;  ///< Gaussian numbers, held twice over so that a run may wrap round
     std::vector<float> north_, east_;            ///< particles, metres from the prior's mean
     std::vector<float> log_reference_;           ///< log density of the component a particle was drawn from
-    std::vector<float> log_prior_;
-    std::vector<float> joint_, drawn_;  ///< likelihood · prior and proposal density, by the reference
+    std::vector<float> log_prior_;               ///< of the reference over the prior, when cues are weighed
+    std::vector<float> joint_, drawn_;           ///< likelihood · prior and proposal density, by the reference
     std::vector<float> weight_;
 };
 
