@@ -10,7 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
-#include <deque>
+#include <numbers>
 #include <vector>
 
 namespace echotrail {
@@ -182,24 +182,6 @@ void enhanceFan(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(enhanceLocally(fan, {}));
 }
 BENCHMARK(enhanceFan)->Unit(benchmark::kMicrosecond);
-
-/// The statistics alone, by the library: window means of the level, its square, and the scanned share.
-void enhancementStatisticsByLibrary(benchmark::State& state) {
-    cv::setNumThreads(1);
-    const FanImage fan = paintedTile(Turn(1.8));
-    cv::Mat level, scanned, mean, square, share, deviation;
-    for (auto _ : state) {
-        fan.levels.convertTo(level, CV_32F, 1 / 255.0);
-        cv::Mat(fan.beam_time_ms != FanImage::never_scanned).convertTo(scanned, CV_32F, 1 / 255.0);
-        cv::boxFilter(level, mean, CV_32F, {5, 5});
-        cv::sqrBoxFilter(level, square, CV_32F, {5, 5});
-        cv::boxFilter(scanned, share, CV_32F, {5, 5});
-        cv::divide(mean, share, mean);
-        cv::divide(square, share, square);
-        cv::sqrt(square - mean.mul(mean), deviation);
-    }
-}
-BENCHMARK(enhancementStatisticsByLibrary)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace echotrail
