@@ -1,0 +1,21 @@
+#pragma once
+
+#include "exit_code.hpp"
+
+#include <CLI/App.hpp>
+
+#include <functional>
+#include <memory>
+
+namespace echotrail {
+
+/// A command adds its options to the program and is called when the command line names it.
+using Command = std::function<ExitCode()>;
+
+/// `echotrail replay`: a recording through the pipeline, tracks out.
+Command addReplayCommand(CLI::App& program);
+
+/// `echotrail info`: what is in a recording.
+Command addInfoCommand(CLI::App& program);
+
+}  // namespace echotrail

@@ -1,0 +1,36 @@
+#include "commands.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <exception>
+
+namespace {
+
+using echotrail::ExitCode;
+
+ExitCode runCommand(int argc, char** argv) {
+    CLI::App program{"Echotrail without a screen: sonar recordings in, tracked targets out.", "echotrail"};
+    program.set_version_flag("--version", ECHOTRAIL_VERSION);
+    program.require_subcommand(1);
+    const echotrail::Command replay = echotrail::addReplayCommand(program);
+    const echotrail::Command info = echotrail::addInfoCommand(program);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return static_cast<ExitCode>(program.exit(error));  // help was asked for
+        return echotrail::fail(ExitCode::Usage, std::string(error.what()) + "; see echotrail --help");
+    }
+    return program.got_subcommand("replay") ? replay() : info();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is a failed write, and is told as one
+    try {
+        return static_cast<int>(runCommand(argc, argv));
+    } catch (const std::exception& failure) {
+        return static_cast<int>(echotrail::fail(ExitCode::Failed, failure.what()));
+    }
+}

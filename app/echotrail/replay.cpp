@@ -1,0 +1,158 @@
+#include "commands.hpp"
+#include "core/runtime/denormals.hpp"
+#include "replay_options.hpp"
+#include "replay_progress.hpp"
+#include "tracks_writer.hpp"
+
+#include <opencv2/core/utility.hpp>
+
+#include <csignal>
+#include <thread>
+
+namespace echotrail {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void catchInterrupts() {
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+}
+
+/// One replay: a source, the pipeline, and what is written about it.
+class Replay {
+public:
+    Replay(const ReplayOptions& options, PingSource& source, TracksWriter* tracks)
+        : options_(options),
+          source_(source),
+          tracks_(tracks),
+          pipeline_(options.settings.params, options.seed),
+          progress_(source.info(), options.timings) {
+        pipeline_.setFanPainting(options.paint_fan);
+        if (options.target) pipeline_.designate(options.target->range_m, options.target->from_bow);
+    }
+
+    Result<void> run() {
+        while (const auto ping = nextPing()) {
+            if (!first_) first_ = ping->time;
+            last_ = ping->time;
+            waitFor(ping->time);
+            ++pings_;
+            progress_.begin();
+            const Update& update = pipeline_.process(*ping, source_.navigation());
+            progress_.end(ping->time);
+            if (auto written = write(update); !written) return written;
+        }
+        progress_.begin();
+        const Update& rest = pipeline_.finish();
+        progress_.end(last_);
+        return write(rest);
+    }
+
+    nlohmann::ordered_json summary() const {
+        const SourceCounts counts = source_.counts();
+        nlohmann::ordered_json summary{
+            {"source", source_.info().name},
+            {"seed", options_.seed},
+            {"pings", pings_},
+            {"rejected", nlohmann::ordered_json::object()},
+            {"ignored", nlohmann::ordered_json::object()},
+            {"skipped_bytes", counts.skipped_bytes},
+            {"lost_records", counts.lost_records},
+            {"unsynchronised_pings", pipeline_.unsynchronisedPings()},
+            {"late_looks", tracks_ ? tracks_->lateLooks() : 0},
+            {"navigation", source_.navigation().empty() ? "none: the vehicle is taken to stand still" : "recorded"},
+            {"sweeps", pipeline_.sweeps()},
+            {"tracks", pipeline_.confirmedTracks()},
+            {"data_seconds", first_ ? secondsBetween(*first_, last_) : 0.0},
+            {"processing_seconds", progress_.processingSeconds()},
+            {"exit_reason", exit_reason_}};
+        for (const auto& [cause, number] : counts.rejected) summary["rejected"][cause] = number;
+        for (const auto& [name, number] : counts.ignored) summary["ignored"][name] = number;
+        return summary;
+    }
+
+    const ReplayProgress& progress() const { return progress_; }
+
+private:
+    /// The next ping, unless the run is over.
+    std::optional<Ping> nextPing() {
+        if (interrupted) {
+            exit_reason_ = "interrupted";
+            return std::nullopt;
+        }
+        auto ping = source_.next();
+        if (ping && first_ && options_.duration_s && secondsBetween(*first_, ping->time) > *options_.duration_s) {
+            exit_reason_ = "duration reached";
+            return std::nullopt;
+        }
+        return ping;
+    }
+
+    /// Sleeps until a ping's time has come, in short pieces so that an interrupt is heeded.
+    void waitFor(Timestamp time) const {
+        if (!options_.speed) return;
+        using namespace std::chrono;
+        const duration<double> due(secondsBetween(*first_, time) / *options_.speed);
+        for (auto passed = steady_clock::now() - begun_; passed < due && !interrupted;
+             passed = steady_clock::now() - begun_)
+            std::this_thread::sleep_for(std::min<duration<double>>(due - passed, milliseconds(100)));
+    }
+
+    Result<void> write(const Update& update) { return tracks_ ? tracks_->add(update) : Result<void>{}; }
+
+    const ReplayOptions& options_;
+    PingSource& source_;
+    TracksWriter* tracks_;
+    ScanningSonarPipeline pipeline_;
+    ReplayProgress progress_;
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+    std::optional<Timestamp> first_;
+    Timestamp last_{};
+    std::uint64_t pings_ = 0;
+    std::string exit_reason_ = "end of recording";
+};
+
+ExitCode replay(const ReplayArguments& arguments) {
+    const auto options = checkReplayOptions(arguments);
+    if (!options) return fail(ExitCode::Usage, options.error());
+    const Settings& settings = options->settings;
+    const auto source = openSource(options->source, {.sound_speed_mps = settings.sound_speed,
+                                                     .default_sound_speed_mps = settings.params.head.sound_speed});
+    if (!source) return fail(ExitCode::Failed, source.error());
+    std::unique_ptr<TracksWriter> tracks;
+    if (!options->tracks.empty()) {
+        auto opened = TracksWriter::open(options->tracks, (*source)->info().start);
+        if (!opened) return fail(ExitCode::Failed, opened.error());
+        tracks = *std::move(opened);
+    }
+
+    cv::setNumThreads(1);  // one core is what a vehicle can spare, and results must not depend on the number
+    flushDenormals();
+    catchInterrupts();
+    Replay run(*options, **source, tracks.get());
+    if (const auto done = run.run(); !done) return fail(ExitCode::Failed, done.error());
+    const nlohmann::ordered_json summary = run.summary();
+    if (tracks) {
+        if (const auto written = tracks->finish(summary); !written) return fail(ExitCode::Failed, written.error());
+    } else {
+        std::cout << nlohmann::ordered_json{{"summary", summary}}.dump(2) << "\n";
+    }
+    if (options->timings) run.progress().tellTimings(std::cerr);
+    const auto lost = summary["lost_records"].get<std::uint64_t>();
+    if (lost == 0) return ExitCode::Done;
+    return fail(ExitCode::Lossy, std::to_string(lost) + " records of " + summary["source"].get<std::string>() +
+                                     " were lost: " + summary["rejected"].dump());
+}
+
+}  // namespace
+
+Command addReplayCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("replay", "Run a recording through the tracker");
+    auto arguments = std::make_shared<ReplayArguments>();
+    addReplayOptions(*command, *arguments);
+    return [arguments] { return replay(*arguments); };
+}
+
+}  // namespace echotrail

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/base/angles.hpp"
+#include "settings.hpp"
+#include "sources.hpp"
+
+#include <CLI/App.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace echotrail {
+
+/// The command line of `echotrail replay`, as typed.
+struct ReplayArguments {
+    std::string source, speed = "max", navigation, tracks, target;
+    std::vector<std::string> parameter_files, assignments;
+    std::uint64_t seed = 0;
+    double duration_s = 0.0;  ///< 0: to the end
+    bool no_fan = false, timings = false;
+};
+
+/// The same, understood and checked.
+struct ReplayOptions {
+    struct Target {
+        double range_m;
+        Bearing from_bow;
+    };
+    SourceAddress source;
+    Settings settings;
+    std::optional<double> speed;  ///< times real time; none: as fast as it goes
+    std::optional<Target> target;
+    std::string tracks;  ///< file, "-" or nothing
+    std::uint64_t seed = 0;
+    std::optional<double> duration_s;
+    bool paint_fan = true, timings = false;
+};
+
+void addReplayOptions(CLI::App& command, ReplayArguments& arguments);
+
+/// The error is a matter of usage.
+Result<ReplayOptions> checkReplayOptions(const ReplayArguments& arguments);
+
+}  // namespace echotrail

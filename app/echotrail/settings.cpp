@@ -1,0 +1,55 @@
+#include "settings.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace echotrail {
+
+namespace {
+
+std::string limitsOf(const ParameterInfo& info) {
+    std::ostringstream text;
+    if (!info.choices.empty()) {
+        for (std::size_t i = 0; i < info.choices.size(); ++i) text << (i ? " | " : "") << info.choices[i];
+    } else if (std::holds_alternative<bool>(info.default_value)) {
+        text << "false | true";
+    } else {
+        text << info.minimum << " to " << info.maximum;
+    }
+    return text.str();
+}
+
+}  // namespace
+
+Result<Settings> readSettings(const std::vector<std::string>& files, const std::vector<std::string>& assignments) {
+    Settings settings;
+    bool sets_sound_speed = false;
+    for (const std::string& file : files) {
+        if (const auto applied = applyParameterFile(settings.params, file); !applied) return Error{applied.error()};
+        const auto said = readParameterFile(file);
+        sets_sound_speed |= said && std::any_of(said->begin(), said->end(), [](const ParameterAssignment& assignment) {
+                                return assignment.name == "sound_speed";
+                            });
+    }
+    for (const std::string& assignment : assignments) {
+        if (const auto set = setParameterFromText(settings.params, assignment); !set) return Error{set.error()};
+        sets_sound_speed |= assignment.starts_with("sound_speed=");
+    }
+    if (sets_sound_speed) settings.sound_speed = settings.params.head.sound_speed;
+    return settings;
+}
+
+std::string parameterHelp() {
+    std::ostringstream text;
+    text << "Parameters, for --set NAME=VALUE and for TOML files (--parameters): name, default, unit, limits\n";
+    std::string group;
+    for (const ParameterInfo& info : describeParameters<ScanningSonarPipeline::Params>()) {
+        if (info.group != group) text << "\n" << (group = info.group) << "\n";
+        text << "  " << info.name << " = " << ParameterInfo::toText(info.default_value)
+             << (info.unit.empty() ? "" : " " + info.unit) << "  (" << limitsOf(info) << ")\n      " << info.help
+             << "\n";
+    }
+    return text.str();
+}
+
+}  // namespace echotrail

@@ -1,0 +1,87 @@
+#include "tracks_writer.hpp"
+
+#include <cassert>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <iostream>
+
+namespace echotrail {
+
+namespace {
+
+/// Micrometres and microdegrees are finer than any sonar; all digits of a double only make the lines long.
+double rounded(double value, double digits = 1e6) {
+    assert(std::isfinite(value));
+    return std::round(value * digits) / digits + 0.0;  // + 0.0: no "-0.0"
+}
+
+}  // namespace
+
+nlohmann::ordered_json trackLine(const TrackLook& look, Timestamp first_ping) {
+    constexpr double covariance_digits = 1e9;
+    const Eigen::Matrix2d& c = look.covariance_m2;
+    return {{"time", toIso8601(look.time)},
+            {"t", rounded(secondsBetween(first_ping, look.time))},
+            {"track", look.track},
+            {"state", toText(look.state)},
+            {"target", look.target},
+            {"range_m", rounded(look.range_m)},
+            {"bearing_deg", rounded(look.bearing.inDegrees())},
+            {"north_m", rounded(look.position_m.x())},
+            {"east_m", rounded(look.position_m.y())},
+            {"velocity_north_mps", rounded(look.velocity_mps.x())},
+            {"velocity_east_mps", rounded(look.velocity_mps.y())},
+            {"covariance_m2",
+             {rounded(c(0, 0), covariance_digits), rounded(c(0, 1), covariance_digits),
+              rounded(c(1, 1), covariance_digits)}},
+            {"seen", look.seen}};
+}
+
+Result<std::unique_ptr<TracksWriter>> TracksWriter::open(const std::string& path, Timestamp first_ping) {
+    std::unique_ptr<TracksWriter> writer(new TracksWriter(path, first_ping));
+    if (path == "-") {
+        writer->out_ = &std::cout;
+        return writer;
+    }
+    errno = 0;
+    writer->file_.open(path);
+    if (!writer->file_) return Error{"cannot write " + path + ": " + std::strerror(errno)};
+    writer->out_ = &writer->file_;
+    return writer;
+}
+
+Result<void> TracksWriter::add(const Update& update) {
+    for (const TrackLook& look : update.looks) {
+        if (written_until_ && look.time < *written_until_)
+            ++late_;
+        else
+            held_.emplace(look.time, look);
+    }
+    if (!sweep_start_) sweep_start_ = update.time;
+    if (update.sweep_ended) {
+        sweep_duration_ = update.time - *sweep_start_;
+        sweep_start_ = update.time;
+    }
+    return sweep_duration_ ? writeUntil(update.time - *sweep_duration_) : Result<void>{};
+}
+
+Result<void> TracksWriter::writeUntil(Timestamp time) {
+    const std::size_t before = held_.size();
+    while (!held_.empty() && held_.begin()->first <= time) {
+        written_until_ = held_.begin()->first;
+        *out_ << trackLine(held_.begin()->second, first_ping_).dump() << '\n';
+        held_.erase(held_.begin());
+    }
+    if (held_.size() != before) out_->flush();  // whoever reads along shall not wait for a full buffer
+    if (!*out_) return Error{"cannot write " + (path_ == "-" ? "standard output" : path_) + ": it takes no more"};
+    return {};
+}
+
+Result<void> TracksWriter::finish(const nlohmann::ordered_json& summary) {
+    if (auto written = writeUntil(Timestamp::max()); !written) return written;
+    *out_ << nlohmann::ordered_json{{"summary", summary}}.dump() << std::endl;
+    return writeUntil(Timestamp::max());
+}
+
+}  // namespace echotrail
