@@ -1,5 +1,7 @@
 #include "core/seanet/head_data.hpp"
 
+#include <utility>
+
 namespace echotrail::seanet {
 
 Result<HeadData> decodeHeadData(Bytes p) {
@@ -59,25 +61,26 @@ std::optional<HeadData> HeadDataAssembler::take(const Frame& frame) {
     const bool last = frame.sequence() & 0x80;
     if (packet == 0) {
         if (giveUpUnfinished()) ++rejected_["unfinished_line"];
+        next_packet_ = 0;
         if (last) return whole(frame.payload());
     } else if (packet != next_packet_) {
-        giveUpUnfinished();
-        ++rejected_["packet_gap"];
+        // Counted once: what else comes of the same line is no further loss.
+        if (next_packet_ != lost_line) ++rejected_["packet_gap"];
+        payload_.clear();
+        next_packet_ = last ? 0 : lost_line;
         return std::nullopt;
     }
     const Bytes payload = frame.payload();
     payload_.insert(payload_.end(), payload.begin(), payload.end());
-    next_packet_ = packet + 1;
+    next_packet_ = last ? 0 : packet + 1;
     if (!last) return std::nullopt;
-    const std::vector<std::uint8_t> joined = std::move(payload_);
-    giveUpUnfinished();
-    return whole(joined);
+    return whole(std::exchange(payload_, {}));
 }
 
 bool HeadDataAssembler::giveUpUnfinished() {
-    const bool begun = next_packet_ >= 0;
+    const bool begun = next_packet_ > 0;
     payload_.clear();
-    next_packet_ = -1;
+    if (begun) next_packet_ = lost_line;
     return begun;
 }
 

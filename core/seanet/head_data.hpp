@@ -59,15 +59,16 @@ class HeadDataAssembler {
 public:
     /// A whole line, where this frame completes one.
     std::optional<HeadData> take(const Frame& frame);
-    /// Discards an unfinished line; true if there was one.
+    /// Discards an unfinished line; true if there was one. The caller counts it: rejected() does not.
     bool giveUpUnfinished();
     /// Cause → lines that were lost.
     const std::map<std::string, std::uint64_t>& rejected() const { return rejected_; }
 
 private:
     std::optional<HeadData> whole(Bytes payload);
-    std::vector<std::uint8_t> payload_;  ///< of the packets so far, joined
-    int next_packet_ = -1;               ///< −1: none begun
+    std::vector<std::uint8_t> payload_;   ///< of the packets so far, joined
+    static constexpr int lost_line = -1;  ///< until the next line begins, as at the start of a stream
+    int next_packet_ = lost_line;         ///< 0: between lines
     std::map<std::string, std::uint64_t> rejected_;
 };
 
