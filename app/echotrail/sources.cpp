@@ -1,6 +1,6 @@
 #include "sources.hpp"
 
-#include "core/simulation/simulation.hpp"
+#include "core/simulation/demonstration.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -22,10 +22,10 @@ Result<SourceAddress> parseSimulation(const std::string& text, std::string rest)
             return Error{text + ": after '?' only seed=N is understood, N a whole number"};
         rest.resize(question);
     }
-    const auto all = scenarios();
+    const auto& all = scenarios();
     std::string known;
-    for (const ScenarioInfo& info : all) known += (known.empty() ? "" : ", ") + info.name;
-    if (std::none_of(all.begin(), all.end(), [&](const ScenarioInfo& info) { return info.name == rest; }))
+    for (const Scenario& scenario : all) known += (known.empty() ? "" : ", ") + scenario.name;
+    if (std::none_of(all.begin(), all.end(), [&](const Scenario& scenario) { return scenario.name == rest; }))
         return Error{"no scenario is called '" + rest + "'; there are: " + known};
     address.scenario = rest;
     return address;
@@ -44,8 +44,10 @@ Result<SourceAddress> parseSourceAddress(const std::string& text) {
 }
 
 Result<std::unique_ptr<PingSource>> openSource(const SourceAddress& address, const RecordingOptions& options) {
-    if (!address.scenario.empty()) return openSimulation(address.scenario, address.seed);
-    return openRecording(address.path, options);
+    if (address.scenario.empty()) return openRecording(address.path, options);
+    auto simulated = openSimulation(address.scenario, address.seed);
+    if (!simulated) return Error{simulated.error()};
+    return std::unique_ptr<PingSource>(*std::move(simulated));
 }
 
 }  // namespace echotrail
