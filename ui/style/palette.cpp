@@ -32,6 +32,7 @@ Palette dayPalette() {
     p.guard = QColor(QRgb{0xffff4fd8});
     p.danger = QColor(QRgb{0xffff5349});
     p.graticule = QColor(QRgb{0xff8fa3b5});
+    p.caution = QColor(QRgb{0xffffd60a});
     p.halo = QColor(0, 0, 0, 217);
     return p;
 }
@@ -81,6 +82,7 @@ Palette nightPalette() {
     p.guard = QColor(QRgb{0xffa63a90});
     p.danger = QColor(QRgb{0xffe8523e});
     p.graticule = QColor(QRgb{0xff96705f});
+    p.caution = QColor(QRgb{0xffa88300});
     p.halo = QColor(0, 0, 0, 217);
     return p;
 }

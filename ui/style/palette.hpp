@@ -36,6 +36,7 @@ struct Palette {
     QColor guard;      ///< guard zones
     QColor danger;     ///< lost or dangerous, on the fan
     QColor graticule;  ///< rings, bearings, vetoes: structure, never a state
+    QColor caution;    ///< filters at work, missing inputs, on the fan
     QColor halo;       ///< behind lines and text on the fan
 };
 

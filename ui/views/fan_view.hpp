@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/runtime/scene.hpp"
-#include "ui/views/fan_settings.hpp"
+#include "ui/views/fan_picture.hpp"
 
 #include <QWidget>
 #include <memory>
@@ -14,15 +14,14 @@ namespace echotrail {
 /// Hands: a left click (pressed and let go at one place) on something within range designates it: the nearest track,
 /// else the nearest region, else the place itself. Ctrl+click only selects a track, to read its card. It is safe
 /// because nothing is lost by it: every track lives on, and clearing the designation takes it back. A drag moves the
-/// picture and never designates; nor does a click while measuring or beyond the range. The wheel zooms about the
-/// cursor; the middle button, the key 0 or a double click beyond the range fit the picture again. F2 turns
-/// following on and off, F4 measures, Esc puts the measure away.
+/// picture and never designates; nor does a click while measuring, on a badge, beyond the range or where the sonar
+/// has not looked. The wheel zooms about the cursor; the middle button or a double click beyond the range fit the
+/// picture again. Esc puts the measure away.
 class FanView : public QWidget {
     Q_OBJECT
 
 public:
     explicit FanView(QWidget* parent = nullptr);
-    ~FanView() override;
 
     void setScene(std::shared_ptr<const Scene> scene);
     const Scene* scene() const { return scene_.get(); }
@@ -56,7 +55,6 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -67,7 +65,15 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    struct Painters;
+    FanGeometry fittedGeometry() const;
+    FanGeometry geometry() const;
+    FanMoment moment() const;
+    void announce();
+    void zoomAbout(QPointF place, double factor);
+    void measureAt(QPointF place);
+    void pointAt(QPointF place, bool select_only);
+    /// Nearest track whose symbol is under the hand; 0: none.
+    int trackAt(QPointF place) const;
 
     std::shared_ptr<const Scene> scene_;
     Layers layers_;
@@ -76,7 +82,19 @@ private:
     bool follow_ = true;
     bool measuring_ = false;
     int selected_track_ = 0;
-    std::unique_ptr<Painters> painters_;
+
+    std::uint64_t serial_ = 0;  ///< of the scene
+    BeamAges ages_;
+    FanPicture picture_;
+    double zoom_ = 1.0;
+    QPointF pan_;                            ///< of the middle of the fitted picture, px
+    std::optional<Eigen::Vector2d> anchor_;  ///< not following: where the head was when following ended
+    std::optional<QPointF> cursor_;
+    std::optional<QPointF> pressed_;
+    QPointF dragged_from_;
+    bool dragging_ = false;
+    std::optional<Measurement> measurement_;
+    bool measurement_open_ = false;  ///< its second place still follows the cursor
 };
 
 }  // namespace echotrail

@@ -1,0 +1,92 @@
+#include "ui/views/echo_painter.hpp"
+
+#include "core/data/ping.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace echotrail {
+namespace {
+
+/// From device pixels of the picture to columns and rows of the fan, as cv::warpAffine takes it.
+cv::Matx23d screenToFan(const FanImage& fan, const FanGeometry& geometry, const QRect& box, double ratio) {
+    const auto fanPoint = [&](double x, double y) {
+        // The middle of device pixel (x, y) is half a pixel further on.
+        const QPointF logical(box.x() + (x + 0.5) / ratio, box.y() + (y + 0.5) / ratio);
+        const Eigen::Vector2d place = geometry.toLocal(logical);
+        return cv::Point2d(fan.columnOf(place.y()), fan.rowOf(place.x()));
+    };
+    const cv::Point2d origin = fanPoint(0, 0);
+    const cv::Point2d along_x = fanPoint(1, 0) - origin;
+    const cv::Point2d along_y = fanPoint(0, 1) - origin;
+    return {along_x.x, along_y.x, origin.x, along_x.y, along_y.y, origin.y};
+}
+
+}  // namespace
+
+void EchoPainter::makeColours(const EchoSettings& settings, Theme theme) {
+    if (has_table_ && table_settings_ == settings && table_theme_ == theme) return;
+    table_settings_ = settings;
+    table_theme_ = theme;
+    has_table_ = true;
+    canvas_ = paletteOf(theme).canvas.rgb();
+    const EchoColours& map = echoColours(settings.map, theme);
+    const double span_db = std::max(settings.white_db - settings.black_db, 0.1);
+    for (int step = 0; step < fade_steps; ++step) {
+        const double light = 1.0 - std::clamp(settings.fade, 0.0, most_fade) * step / (fade_steps - 1);
+        const auto dimmed = [&](int channel) { return static_cast<int>(std::lround(channel * light)); };
+        for (int level = 0; level < 256; ++level) {
+            const double share = std::clamp((level / levels_per_db - settings.black_db) / span_db, 0.0, 1.0);
+            const QRgb full = map[static_cast<std::size_t>(std::lround(share * 255.0))];
+            table_[static_cast<std::size_t>(step)][static_cast<std::size_t>(level)] =
+                qRgb(dimmed(qRed(full)), dimmed(qGreen(full)), dimmed(qBlue(full)));
+        }
+    }
+}
+
+void EchoPainter::colour(const BeamAges& ages) {
+    // Ages in fixed point: a step is so many 1/1024 of a millisecond.
+    const double oldest_ms = std::max(1.0, 1000.0 * ages.oldest_s);
+    const auto scale = static_cast<std::int64_t>((fade_steps - 1) * 1024.0 * 1024.0 / oldest_ms);
+    for (int y = 0; y < levels_.rows; ++y) {
+        const auto* level = levels_.ptr<std::uint8_t>(y);
+        const auto* time = times_.ptr<std::int32_t>(y);
+        auto* pixel = reinterpret_cast<QRgb*>(image_.scanLine(y));
+        for (int x = 0; x < levels_.cols; ++x) {
+            if (time[x] == FanImage::never_scanned) {
+                pixel[x] = canvas_;
+                continue;
+            }
+            const std::int64_t step = (std::max(ages.newest_ms - time[x], 0) * scale) >> 20;
+            pixel[x] = table_[static_cast<std::size_t>(std::min<std::int64_t>(step, fade_steps - 1))][level[x]];
+        }
+    }
+}
+
+const QImage& EchoPainter::image(const FanImage& fan, std::uint64_t serial, const BeamAges& ages,
+                                 const FanGeometry& geometry, const EchoSettings& settings, Theme theme,
+                                 const QRect& box, double device_pixel_ratio) {
+    Key key{serial, geometry, settings, theme, box, device_pixel_ratio};
+    if (!image_.isNull() && key == key_) return image_;
+    key_ = std::move(key);
+    makeColours(settings, theme);
+    const QSize size(static_cast<int>(std::ceil(box.width() * device_pixel_ratio)),
+                     static_cast<int>(std::ceil(box.height() * device_pixel_ratio)));
+    if (image_.size() != size) image_ = QImage(size, QImage::Format_RGB32);
+    image_.setDevicePixelRatio(device_pixel_ratio);
+    if (fan.empty() || size.isEmpty()) {
+        image_.fill(canvas_);
+        return image_;
+    }
+    const cv::Matx23d map = screenToFan(fan, geometry, box, device_pixel_ratio);
+    const cv::Size cv_size(size.width(), size.height());
+    cv::warpAffine(fan.levels, levels_, map, cv_size, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT);
+    cv::warpAffine(fan.beam_time_ms, times_, map, cv_size, cv::INTER_NEAREST | cv::WARP_INVERSE_MAP,
+                   cv::BORDER_CONSTANT, cv::Scalar(FanImage::never_scanned));
+    colour(ages);
+    return image_;
+}
+
+}  // namespace echotrail

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/data/fan_image.hpp"
+#include "ui/style/palette.hpp"
+#include "ui/views/beam_schedule.hpp"
+
+#include <QImage>
+#include <array>
+
+namespace echotrail {
+
+/// Turns a fan picture into pixels of the screen: turned and scaled with interpolated levels, then coloured, the
+/// older the darker. Interpolating levels and not colours keeps every pixel on the colour map.
+class EchoPainter {
+public:
+    /// An opaque picture of `box` (logical pixels); what was never scanned has the canvas' colour. Kept until an
+    /// argument changes; `serial` names the fan's content.
+    const QImage& image(const FanImage& fan, std::uint64_t serial, const BeamAges& ages, const FanGeometry& geometry,
+                        const EchoSettings& settings, Theme theme, const QRect& box, double device_pixel_ratio);
+
+private:
+    struct Key {
+        std::uint64_t serial = 0;
+        FanGeometry geometry;
+        EchoSettings settings;
+        Theme theme = Theme::Dusk;
+        QRect box;
+        double device_pixel_ratio = 0.0;
+        bool operator==(const Key&) const = default;
+    };
+    static constexpr int fade_steps = 32;
+
+    void makeColours(const EchoSettings& settings, Theme theme);
+    void colour(const BeamAges& ages);
+
+    Key key_;
+    EchoSettings table_settings_;
+    Theme table_theme_ = Theme::Dusk;
+    bool has_table_ = false;
+    std::array<std::array<QRgb, 256>, fade_steps> table_{};  ///< by age, then level
+    QRgb canvas_ = 0;
+    cv::Mat levels_;
+    cv::Mat times_;
+    QImage image_;
+};
+
+}  // namespace echotrail
