@@ -31,7 +31,10 @@ void ByteDump::takeFrame(const seanet::Frame& frame) {
         return;
     }
     node_ = frame.source();
-    if (auto line = assembler_.take(frame)) lines_.push_back(std::move(*line));
+    if (auto line = assembler_.take(frame)) {
+        device_ = line->device_type;
+        lines_.push_back(std::move(*line));
+    }
 }
 
 /// A file that ends inside a frame, or inside a line of several frames, lost that line.
@@ -87,7 +90,6 @@ SourceCounts ByteDump::counts() const {
 }
 
 void ByteDump::survey() {
-    std::uint8_t device = 0;
     double frequency = 0;
     rewind();
     while (const auto ping = next()) {
@@ -97,10 +99,9 @@ void ByteDump::survey() {
             frequency = ping->frequency_hz;
         }
         info_.end = ping->time;
-        if (!lines_.empty()) device = lines_.front().device_type;
     }
     char text[96];
-    std::snprintf(text, sizeof text, "%s head, node %d, at %.0f kHz", device == digital_head ? "digital" : "imaging",
+    std::snprintf(text, sizeof text, "%s head, node %d, at %.0f kHz", device_ == digital_head ? "digital" : "imaging",
                   node_, frequency / 1e3);
     info_.head = text;
 }

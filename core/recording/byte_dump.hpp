@@ -38,6 +38,7 @@ private:
     std::uint64_t sequence_ = 0;
     Timestamp time_{};
     int node_ = 0;
+    std::uint8_t device_ = 0;  ///< type of the head, as its last line tells
     bool finished_ = false;
 };
 

@@ -14,6 +14,8 @@ Result<std::unique_ptr<PingSource>> openRecording(const std::string& path, const
     if (!std::filesystem::exists(status)) return Error{"cannot open " + path + ": there is no such file"};
     if (std::filesystem::is_directory(status))
         return Error{"cannot open " + path + ": it is a folder, not a recording"};
+    if (!std::filesystem::is_regular_file(status))  // to open a pipe would wait for its writer
+        return Error{"cannot open " + path + ": it is not a file but a pipe or a device"};
     std::ifstream file(path, std::ios::binary);
     if (!file) return Error{"cannot open " + path + ": it cannot be read; check its permissions"};
     std::string start(V4Log::magic.size(), '\0');

@@ -80,7 +80,7 @@ std::optional<double> V4Log::storedSoundSpeed() {
     return speed > 1'000 && speed < 2'000 ? std::optional(speed) : std::nullopt;
 }
 
-/// A record that could be one: its length lies inside the file and fits what it says of its data, its date is a date.
+/// A record that could be one: its length could be a record's, its date is a date.
 std::optional<V4Log::Record> V4Log::plausibleRecord(std::uint64_t offset) {
     const Bytes head = file_.read(offset, record_header_bytes + seanet::head_parameter_bytes);
     if (head.size() < record_header_bytes) return std::nullopt;
@@ -91,9 +91,19 @@ std::optional<V4Log::Record> V4Log::plausibleRecord(std::uint64_t offset) {
     if (record.id == head_data) {
         const std::size_t line = record_header_bytes + seanet::head_parameter_bytes;
         if (head.size() < line || record.length < line + u16(head, line - 2)) return std::nullopt;
+        record.length_agrees = record.length == line + u16(head, line - 2);
     }
     record.time = timeOf(days);
     return record;
+}
+
+/// A plausible record whose length is to be trusted: a scan line that tells the same length itself, or else a record
+/// that ends where another, or nothing, follows.
+std::optional<V4Log::Record> V4Log::trustedRecord(std::uint64_t offset) {
+    const auto record = plausibleRecord(offset);
+    if (!record || record->length_agrees) return record;
+    const std::uint64_t after = offset + record->length;
+    return after == records_end_ || (after < records_end_ && plausibleRecord(after)) ? record : std::nullopt;
 }
 
 void V4Log::lose(const char* cause, std::uint64_t records) {
@@ -101,22 +111,20 @@ void V4Log::lose(const char* cause, std::uint64_t records) {
     counts_.lost_records += records;
 }
 
-/// Goes byte by byte to the next place where a whole record, and another or the end behind it, could stand.
+/// Goes byte by byte to the next place where a whole record stands.
 void V4Log::skipDamage() {
     lose("damaged_record");
     const std::uint64_t from = offset_;
     for (++offset_; offset_ < records_end_; ++offset_) {
-        const auto record = plausibleRecord(offset_);
-        if (!record || offset_ + record->length > records_end_) continue;
-        const std::uint64_t after = offset_ + record->length;
-        if (after == records_end_ || plausibleRecord(after)) break;
+        const auto record = trustedRecord(offset_);
+        if (record && offset_ + record->length <= records_end_) break;
     }
     counts_.skipped_bytes += offset_ - from;
 }
 
 std::optional<V4Log::Record> V4Log::nextRecord() {
     while (offset_ < records_end_) {
-        const auto record = plausibleRecord(offset_);
+        const auto record = trustedRecord(offset_);
         if (!record) {
             if (records_end_ - offset_ < record_header_bytes + seanet::head_parameter_bytes) break;
             skipDamage();
@@ -143,8 +151,17 @@ void V4Log::finish() {
     if (promised_records_ > accounted) lose("missing_record", promised_records_ - accounted);
 }
 
+/// Earlier than the line before it; or later than the line after it, which itself is not too early: then it is this
+/// date that is wrong, and to believe it would cost all lines behind it.
+bool V4Log::isOutOfOrder(Timestamp time) {
+    if (last_time_ && time < *last_time_) return true;
+    const auto following = plausibleRecord(offset_);
+    return following && following->time < time && (!last_time_ || following->time >= *last_time_);
+}
+
 std::optional<Ping> V4Log::next() {
     while (const auto record = nextRecord()) {
+        const bool out_of_order = record->id == head_data && isOutOfOrder(record->time);
         const Bytes payload = file_.read(record->offset + record_header_bytes, record->length - record_header_bytes);
         if (record->id != head_data) {
             ++counts_.ignored[seanet::messageName(record->id)];
@@ -158,7 +175,7 @@ std::optional<Ping> V4Log::next() {
             lose(line.error().c_str());
             continue;
         }
-        if (last_time_ && record->time < *last_time_) {
+        if (out_of_order) {
             lose("time_order");
             continue;
         }

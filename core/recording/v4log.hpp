@@ -31,12 +31,15 @@ private:
         std::size_t length = 0;
         Timestamp time{};
         std::uint8_t id = 0;
+        bool length_agrees = false;  ///< with what the scan line itself tells
     };
     void readHeader(const RecordingOptions& options);
     void survey();
     void describeHead();
     std::optional<Record> plausibleRecord(std::uint64_t offset);
+    std::optional<Record> trustedRecord(std::uint64_t offset);
     std::optional<Record> nextRecord();
+    bool isOutOfOrder(Timestamp time);
     void skipDamage();
     void finish();
     std::optional<double> storedSoundSpeed();
