@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "core/navigation/navigation_file.hpp"
 #include "core/runtime/denormals.hpp"
 #include "replay_options.hpp"
 #include "replay_progress.hpp"
@@ -6,6 +7,7 @@
 
 #include <opencv2/core/utility.hpp>
 
+#include <cmath>
 #include <csignal>
 #include <thread>
 
@@ -23,9 +25,10 @@ void catchInterrupts() {
 /// One replay: a source, the pipeline, and what is written about it.
 class Replay {
 public:
-    Replay(const ReplayOptions& options, PingSource& source, TracksWriter* tracks)
+    Replay(const ReplayOptions& options, PingSource& source, const PoseHistory& navigation, TracksWriter* tracks)
         : options_(options),
           source_(source),
+          navigation_(navigation),
           tracks_(tracks),
           pipeline_(options.settings.params, options.seed),
           progress_(source.info(), options.timings) {
@@ -40,8 +43,9 @@ public:
             waitFor(ping->time);
             ++pings_;
             progress_.begin();
-            const Update& update = pipeline_.process(*ping, source_.navigation());
+            const Update& update = pipeline_.process(*ping, navigation_);
             progress_.end(ping->time);
+            without_pose_ += update.navigation_gap;
             if (auto written = write(update); !written) return written;
         }
         progress_.begin();
@@ -50,30 +54,30 @@ public:
         return write(rest);
     }
 
-    nlohmann::ordered_json summary() const {
+    nlohmann::ordered_json summary(const nlohmann::ordered_json& navigation) const {
         const SourceCounts counts = source_.counts();
-        nlohmann::ordered_json summary{
-            {"source", source_.info().name},
-            {"seed", options_.seed},
-            {"pings", pings_},
-            {"rejected", nlohmann::ordered_json::object()},
-            {"ignored", nlohmann::ordered_json::object()},
-            {"skipped_bytes", counts.skipped_bytes},
-            {"lost_records", counts.lost_records},
-            {"unsynchronised_pings", pipeline_.unsynchronisedPings()},
-            {"late_looks", tracks_ ? tracks_->lateLooks() : 0},
-            {"navigation", source_.navigation().empty() ? "none: the vehicle is taken to stand still" : "recorded"},
-            {"sweeps", pipeline_.sweeps()},
-            {"tracks", pipeline_.confirmedTracks()},
-            {"data_seconds", first_ ? secondsBetween(*first_, last_) : 0.0},
-            {"processing_seconds", progress_.processingSeconds()},
-            {"exit_reason", exit_reason_}};
+        nlohmann::ordered_json summary{{"source", source_.info().name},
+                                       {"seed", options_.seed},
+                                       {"pings", pings_},
+                                       {"rejected", nlohmann::ordered_json::object()},
+                                       {"ignored", nlohmann::ordered_json::object()},
+                                       {"skipped_bytes", counts.skipped_bytes},
+                                       {"lost_records", counts.lost_records},
+                                       {"unsynchronised_pings", pipeline_.unsynchronisedPings()},
+                                       {"late_looks", tracks_ ? tracks_->lateLooks() : 0},
+                                       {"navigation", navigation},
+                                       {"pings_without_pose", without_pose_},
+                                       {"sweeps", pipeline_.sweeps()},
+                                       {"tracks", pipeline_.confirmedTracks()},
+                                       {"data_seconds", first_ ? secondsBetween(*first_, last_) : 0.0},
+                                       {"processing_seconds", progress_.processingSeconds()},
+                                       {"exit_reason", exit_reason_}};
         for (const auto& [cause, number] : counts.rejected) summary["rejected"][cause] = number;
         for (const auto& [name, number] : counts.ignored) summary["ignored"][name] = number;
         return summary;
     }
 
-    const ReplayProgress& progress() const { return progress_; }
+    void tellTimings(std::ostream& out) const { progress_.tellTimings(out); }
 
 private:
     /// The next ping, unless the run is over.
@@ -104,6 +108,7 @@ private:
 
     const ReplayOptions& options_;
     PingSource& source_;
+    const PoseHistory& navigation_;
     TracksWriter* tracks_;
     ScanningSonarPipeline pipeline_;
     ReplayProgress progress_;
@@ -111,8 +116,40 @@ private:
     std::optional<Timestamp> first_;
     Timestamp last_{};
     std::uint64_t pings_ = 0;
+    std::uint64_t without_pose_ = 0;  ///< navigation says nothing near their time
     std::string exit_reason_ = "end of recording";
 };
+
+/// Where the poses came from, and what of them was not usable.
+nlohmann::ordered_json tellNavigation(const std::optional<NavigationFile>& file, const PingSource& source) {
+    if (file)
+        return {{"mode", file->mode},
+                {"used", file->used},
+                {"unused", file->unused},
+                {"rejected", file->rejected},
+                {"longest_heading_gap_s", file->longest_heading_gap_s},
+                {"longest_position_gap_s", file->longest_position_gap_s}};
+    if (source.navigation().empty()) return {{"mode", "none: the vehicle is taken to stand still"}};
+    return {{"mode", "recorded with the pings"}};
+}
+
+TracksOrigin originOf(const SourceInfo& source, const PoseHistory& navigation) {
+    const Pose pose = navigation.at(source.start, HUGE_VAL).value_or(Pose{});
+    return {source.start, pose.north_m, pose.east_m};
+}
+
+ExitCode conclude(const nlohmann::ordered_json& summary, TracksWriter* tracks) {
+    if (tracks) {
+        if (const auto written = tracks->finish(summary); !written) return fail(ExitCode::Failed, written.error());
+    } else {
+        std::cout << nlohmann::ordered_json{{"summary", summary}}.dump(2) << std::endl;
+        if (!std::cout) return fail(ExitCode::Failed, "cannot write standard output: it takes no more");
+    }
+    const auto lost = summary["lost_records"].get<std::uint64_t>();
+    if (lost == 0) return ExitCode::Done;
+    return fail(ExitCode::Lossy, std::to_string(lost) + " records of " + summary["source"].get<std::string>() +
+                                     " were lost: " + summary["rejected"].dump());
+}
 
 ExitCode replay(const ReplayArguments& arguments) {
     const auto options = checkReplayOptions(arguments);
@@ -121,9 +158,16 @@ ExitCode replay(const ReplayArguments& arguments) {
     const auto source = openSource(options->source, {.sound_speed_mps = settings.sound_speed,
                                                      .default_sound_speed_mps = settings.params.head.sound_speed});
     if (!source) return fail(ExitCode::Failed, source.error());
+    std::optional<NavigationFile> file;
+    if (!options->navigation.empty()) {
+        auto read = readNavigationFile(options->navigation);
+        if (!read) return fail(ExitCode::Failed, read.error());
+        file = *std::move(read);
+    }
+    const PoseHistory& navigation = file ? file->poses : (*source)->navigation();
     std::unique_ptr<TracksWriter> tracks;
     if (!options->tracks.empty()) {
-        auto opened = TracksWriter::open(options->tracks, (*source)->info().start);
+        auto opened = TracksWriter::open(options->tracks, originOf((*source)->info(), navigation));
         if (!opened) return fail(ExitCode::Failed, opened.error());
         tracks = *std::move(opened);
     }
@@ -131,19 +175,10 @@ ExitCode replay(const ReplayArguments& arguments) {
     cv::setNumThreads(1);  // one core is what a vehicle can spare, and results must not depend on the number
     flushDenormals();
     catchInterrupts();
-    Replay run(*options, **source, tracks.get());
+    Replay run(*options, **source, navigation, tracks.get());
     if (const auto done = run.run(); !done) return fail(ExitCode::Failed, done.error());
-    const nlohmann::ordered_json summary = run.summary();
-    if (tracks) {
-        if (const auto written = tracks->finish(summary); !written) return fail(ExitCode::Failed, written.error());
-    } else {
-        std::cout << nlohmann::ordered_json{{"summary", summary}}.dump(2) << "\n";
-    }
-    if (options->timings) run.progress().tellTimings(std::cerr);
-    const auto lost = summary["lost_records"].get<std::uint64_t>();
-    if (lost == 0) return ExitCode::Done;
-    return fail(ExitCode::Lossy, std::to_string(lost) + " records of " + summary["source"].get<std::string>() +
-                                     " were lost: " + summary["rejected"].dump());
+    if (options->timings) run.tellTimings(std::cerr);
+    return conclude(run.summary(tellNavigation(file, **source)), tracks.get());
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ Result<ReplayOptions::Target> targetFrom(const std::string& text) {
 void addReplayOptions(CLI::App& command, ReplayArguments& a) {
     command.add_option("SOURCE", a.source, "Recording (.V4LOG or raw .bin), or simulation://NAME?seed=N")->required();
     command.add_option("--speed", a.speed, "max, or times real time (default max)");
-    command.add_option("--navigation", a.navigation, "NMEA file with TAG times; this version reads none");
+    command.add_option("--navigation", a.navigation,
+                       "File of NMEA 0183 lines with TAG block times, for a recording without navigation");
     command.add_option("--tracks", a.tracks, "Write tracks as JSON Lines to this file, or - for standard output");
     command.add_option("--target", a.target,
                        "RANGE_M,BEARING_DEG of the target, in metres and degrees clockwise from the bow, seen from the "
@@ -46,7 +47,8 @@ void addReplayOptions(CLI::App& command, ReplayArguments& a) {
 }
 
 Result<ReplayOptions> checkReplayOptions(const ReplayArguments& a) {
-    ReplayOptions options{.tracks = a.tracks, .seed = a.seed, .paint_fan = !a.no_fan, .timings = a.timings};
+    ReplayOptions options{
+        .navigation = a.navigation, .tracks = a.tracks, .seed = a.seed, .paint_fan = !a.no_fan, .timings = a.timings};
     auto source = parseSourceAddress(a.source);
     if (!source) return Error{source.error()};
     options.source = *std::move(source);
@@ -63,10 +65,6 @@ Result<ReplayOptions> checkReplayOptions(const ReplayArguments& a) {
         if (!target) return Error{target.error()};
         options.target = *target;
     }
-    if (!a.navigation.empty())
-        return Error{"--navigation: version " ECHOTRAIL_VERSION
-                     " reads no navigation files; leave it away, and the "
-                     "vehicle is taken to stand still"};
     if (a.duration_s > 0.0) options.duration_s = a.duration_s;
     return options;
 }

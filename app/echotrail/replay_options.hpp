@@ -32,7 +32,8 @@ struct ReplayOptions {
     Settings settings;
     std::optional<double> speed;  ///< times real time; none: as fast as it goes
     std::optional<Target> target;
-    std::string tracks;  ///< file, "-" or nothing
+    std::string navigation;  ///< file of NMEA lines, or nothing
+    std::string tracks;      ///< file, "-" or nothing
     std::uint64_t seed = 0;
     std::optional<double> duration_s;
     bool paint_fan = true, timings = false;

@@ -18,18 +18,18 @@ double rounded(double value, double digits = 1e6) {
 
 }  // namespace
 
-nlohmann::ordered_json trackLine(const TrackLook& look, Timestamp first_ping) {
+nlohmann::ordered_json trackLine(const TrackLook& look, const TracksOrigin& origin) {
     constexpr double covariance_digits = 1e9;
     const Eigen::Matrix2d& c = look.covariance_m2;
     return {{"time", toIso8601(look.time)},
-            {"t", rounded(secondsBetween(first_ping, look.time))},
+            {"t", rounded(secondsBetween(origin.first_ping, look.time))},
             {"track", look.track},
             {"state", toText(look.state)},
             {"target", look.target},
             {"range_m", rounded(look.range_m)},
             {"bearing_deg", rounded(look.bearing.inDegrees())},
-            {"north_m", rounded(look.position_m.x())},
-            {"east_m", rounded(look.position_m.y())},
+            {"north_m", rounded(look.position_m.x() - origin.north_m)},
+            {"east_m", rounded(look.position_m.y() - origin.east_m)},
             {"velocity_north_mps", rounded(look.velocity_mps.x())},
             {"velocity_east_mps", rounded(look.velocity_mps.y())},
             {"covariance_m2",
@@ -38,8 +38,8 @@ nlohmann::ordered_json trackLine(const TrackLook& look, Timestamp first_ping) {
             {"seen", look.seen}};
 }
 
-Result<std::unique_ptr<TracksWriter>> TracksWriter::open(const std::string& path, Timestamp first_ping) {
-    std::unique_ptr<TracksWriter> writer(new TracksWriter(path, first_ping));
+Result<std::unique_ptr<TracksWriter>> TracksWriter::open(const std::string& path, const TracksOrigin& origin) {
+    std::unique_ptr<TracksWriter> writer(new TracksWriter(path, origin));
     if (path == "-") {
         writer->out_ = &std::cout;
         return writer;
@@ -70,7 +70,7 @@ Result<void> TracksWriter::writeUntil(Timestamp time) {
     const std::size_t before = held_.size();
     while (!held_.empty() && held_.begin()->first <= time) {
         written_until_ = held_.begin()->first;
-        *out_ << trackLine(held_.begin()->second, first_ping_).dump() << '\n';
+        *out_ << trackLine(held_.begin()->second, origin_).dump() << '\n';
         held_.erase(held_.begin());
     }
     if (held_.size() != before) out_->flush();  // whoever reads along shall not wait for a full buffer
