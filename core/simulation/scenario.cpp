@@ -11,15 +11,15 @@ namespace {
 
 /// A rough bottom close below, and a reflector that is not turned towards the head: section i of the method gives a
 /// corner reflector of 1 m some 10 dB at 20 m on its axis and over 20 dB less off it, so that it stands out from the
-/// bottom by 20 to 30 dB.
+/// bottom by 15 to 30 dB.
 Scenario demonstration() {
     Scenario scene;
     scene.name = "demonstration";
     scene.description = "A 1 m reflector comes in from 40 m to 12 m across the bow, among four pieces of debris";
     scene.duration_s = 150.0;
     scene.gain_db = 14.0;
-    scene.targets = {
-        {.path = {{0, 36, -17}, {60, 38, 4}, {85, 43, 10}, {110, 50.5, 8}, {150, 41.5, -4}}, .strength_db = -16.0}};
+    scene.targets = {{.path = {{0, 36, -17}, {60, 38, 4}, {80, 43, 10}, {100, 50, 10}, {115, 50.5, 5}, {150, 41.5, -4}},
+                      .strength_db = -18.0}};
     scene.debris = {{.north_m = 30, .east_m = 9, .size_m = 0.3, .strength_db = -27},
                     {.north_m = 40.5, .east_m = -8, .strength_db = -25},
                     {.north_m = 46, .east_m = 17, .size_m = 0.8, .strength_db = -22},
