@@ -214,7 +214,7 @@ TEST(FrameParser, BytesLostInsideAFrameCostThatFrameOnly) {
     // The damaged frame's length reaches into the next one, to a byte that happens to be a line feed.
     ByteVector damaged = makeFrame(2, 255, 2, 0x80, 2, ByteVector(60, 0x0A), true);
     const ByteVector next = makeFrame(2, 255, 2, 0x80, 2, ByteVector(50, 0x0A), true);
-    damaged.resize(damaged.size() - 30);
+    damaged.erase(damaged.end() - 30, damaged.end());
     const Found found = framesOf(joined({someFrame(1), damaged, next, someFrame(2)}));
     ASSERT_EQ(found.size(), 3u);
     EXPECT_EQ(found[1].second, next);
