@@ -116,6 +116,6 @@ void TracksPanel::setScene(const Scene& scene) {
     card_->showTrack(*track, scene);
 }
 
-void TracksPanel::setSelectedTrack(int id) { selected_ = id; }
+void TracksPanel::selectTrack(int id) { selected_ = id; }
 
 }  // namespace echotrail

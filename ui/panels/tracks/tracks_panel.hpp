@@ -20,7 +20,7 @@ public:
     explicit TracksPanel(QWidget* parent = nullptr);
     void setScene(const Scene& scene);
     /// Opens a track's card; 0: that of the target.
-    void setSelectedTrack(int id);
+    void selectTrack(int id);
 
     const TrackModel& model() const { return model_; }
 
