@@ -106,6 +106,12 @@ void EchoScreen::endSweep(std::vector<Candidate>& closed) {
     open_.clear();
 }
 
+std::uint64_t EchoScreen::oldestOpenRow() const {
+    std::uint64_t oldest = rows_;
+    for (const Open& open : open_) oldest = std::min(oldest, open.candidate.first_ping);
+    return oldest;
+}
+
 bool EchoScreen::isOpenWithin(double near_m, double far_m) const {
     return std::any_of(open_.begin(), open_.end(), [&](const Open& open) {
         return open.candidate.first_cell * cell_m_ <= far_m && (open.candidate.last_cell + 1) * cell_m_ >= near_m;

@@ -67,6 +67,8 @@ public:
 
     /// Whether the beam is still on something between these ranges.
     bool isOpenWithin(double near_m, double far_m) const;
+    /// The first row of the oldest echo the beam is still on; the next row's number where there is none.
+    std::uint64_t oldestOpenRow() const;
 
 private:
     struct Run {

@@ -68,6 +68,13 @@ void RegionFinder::add(const Ping& ping, const Ray& ray, const Pose& head, Times
     flagMultipath(regions);
 }
 
+std::optional<Timestamp> RegionFinder::settledUntil() const {
+    if (next_row_ == sweep_first_row_) return std::nullopt;
+    const std::uint64_t oldest = screen_.oldestOpenRow();
+    const std::uint64_t first = oldest > sweep_first_row_ + flank_pings ? oldest - flank_pings : sweep_first_row_;
+    return rowAt(std::min(first, next_row_ - 1)).time;
+}
+
 /// Paints the part of the fan that holds the candidate with its flanks, and grows regions in it.
 void RegionFinder::growRegions(const Candidate& candidate, std::vector<Region>& regions) {
     const std::uint64_t first =

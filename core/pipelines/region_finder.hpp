@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,8 @@ public:
              std::span<const RangeOfInterest> interests, std::vector<Region>& regions);
     /// Whether the beam is still on something between these ranges.
     bool isOpenWithin(double near_m, double far_m) const { return screen_.isOpenWithin(near_m, far_m); }
+    /// No region that is still to come is of an earlier time. Empty before the first ping.
+    std::optional<Timestamp> settledUntil() const;
 
 private:
     struct Row {

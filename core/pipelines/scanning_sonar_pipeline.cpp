@@ -6,7 +6,6 @@
 namespace echotrail {
 namespace {
 
-constexpr double longest_navigation_gap_s = 0.3;
 constexpr double high_frequency_hz = 500e3;  // between the two channels of a SeaKing, 325 and 675 kHz
 constexpr double pick_radius_m = 3.0, pick_radius_share = 0.1;
 
@@ -25,12 +24,12 @@ const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory
 
     // Where was the beam? The pose at transmission, and at half way back from the far end.
     const double flight_s = ping.bin_interval_s * static_cast<double>(ping.levels.size());
-    const auto at_transmit = navigation.at(ping.time, longest_navigation_gap_s);
-    const auto at_far_end =
-        navigation.at(ping.time + microsecondsFromSeconds(flight_s / 2.0), longest_navigation_gap_s);
+    const double gap_s = params_.navigation.longest_navigation_gap_s;
+    const auto at_transmit = navigation.at(ping.time, gap_s);
+    const auto at_far_end = navigation.at(ping.time + microsecondsFromSeconds(flight_s / 2.0), gap_s);
     update_.navigation_gap = !at_transmit || !at_far_end;
-    if (at_transmit) vehicle_ = *at_transmit;
-    const Ray ray = makeRay(ping, vehicle_, at_far_end.value_or(vehicle_), params_.head, *first_ping_);
+    if (at_transmit) vehicle_ = fromStart(*at_transmit);
+    const Ray ray = makeRay(ping, vehicle_, at_far_end ? fromStart(*at_far_end) : vehicle_, params_.head, *first_ping_);
     SweepFollower::Step step = sweep_.follow(ping.bearing, ping.step_rad, ping.time);
     step.turned_round |= update_.navigation_gap;
     beam_ = beamOf(ping, ray, step, !navigation.empty());
@@ -53,6 +52,12 @@ const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory
     update_.pose = vehicle_;
     update_.beam = beam_.azimuth + -vehicle_.heading.inRadians();
     return update_;
+}
+
+/// The local frame begins where the vehicle was at the first ping, wherever navigation counts from.
+Pose ScanningSonarPipeline::fromStart(const Pose& pose) {
+    if (!origin_) origin_ = pose;
+    return {pose.north_m - origin_->north_m, pose.east_m - origin_->east_m, pose.heading};
 }
 
 const Update& ScanningSonarPipeline::finish() {
@@ -103,6 +108,10 @@ void ScanningSonarPipeline::applyPick() {
                                 beam_.head.east_m + pick_->range_m * std::sin(azimuth));
     tracker_.designate(place, std::max(pick_radius_m, pick_radius_share * pick_->range_m));
     pick_.reset();
+}
+
+Timestamp ScanningSonarPipeline::settledUntil() const {
+    return tracker_.settledUntil(regions_.settledUntil().value_or(beam_.time));
 }
 
 void ScanningSonarPipeline::clearDesignation() {

@@ -21,6 +21,18 @@
 
 namespace echotrail {
 
+struct NavigationParams {
+    double longest_navigation_gap_s = 1.0;
+};
+
+template <>
+struct Described<NavigationParams> {
+    static constexpr std::string_view group = "Navigation";
+    static constexpr auto fields = std::tuple{
+        Field{&NavigationParams::longest_navigation_gap_s, "longest_navigation_gap_s", "s", 0.05, 60,
+              "A ping further than this from any measured pose has none: the picture breaks off and tracks coast"}};
+};
+
 /// From pings to tracks. One object runs on board, in the console and on a recording; nothing in it knows which.
 /// Order:   pings in time order; finish() once, after the last.
 /// Threads: none; one owner calls it.
@@ -28,6 +40,7 @@ class ScanningSonarPipeline {
 public:
     struct Params {
         HeadSettings head;
+        NavigationParams navigation;
         FanProjector::Params fan;
         RegionFinderParams regions;
         Tracker::Params tracker;
@@ -53,6 +66,8 @@ public:
     std::vector<Track> tracks() const { return tracker_.tracks(); }
     /// The picture so far, in the local frame; empty before the first wedge, or when painting is off.
     const FanImage& fan() const { return fan_.image(); }
+    /// No look that is still to come is of an earlier time; so what is older can be written in order.
+    Timestamp settledUntil() const;
     void setFanPainting(bool on) { paint_fan_ = on; }
     std::uint64_t confirmedTracks() const { return tracker_.confirmedEver(); }  ///< at any time so far
     std::uint64_t sweeps() const { return sweeps_; }
@@ -64,6 +79,7 @@ private:
         Bearing from_bow;
     };
     BeamMoment beamOf(const Ping& ping, const Ray& ray, const SweepFollower::Step& step, bool navigation_known) const;
+    Pose fromStart(const Pose& pose);
     void applyPick();
 
     Params params_;
@@ -77,6 +93,7 @@ private:
     std::vector<RangeOfInterest> interests_;
     std::optional<Pick> pick_;
     std::optional<Timestamp> first_ping_;
+    std::optional<Pose> origin_;  ///< of the local frame, in the frame of navigation
     bool paint_fan_ = true;
     std::uint64_t sweeps_ = 0;
     std::uint64_t unsynchronised_ = 0;
@@ -85,7 +102,7 @@ private:
 template <>
 struct Described<ScanningSonarPipeline::Params> {
     using P = ScanningSonarPipeline::Params;
-    static constexpr auto stages = std::tuple{&P::head, &P::fan, &P::regions, &P::tracker};
+    static constexpr auto stages = std::tuple{&P::head, &P::navigation, &P::fan, &P::regions, &P::tracker};
 };
 
 }  // namespace echotrail

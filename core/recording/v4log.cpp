@@ -46,6 +46,8 @@ void V4Log::readHeader(const RecordingOptions& options) {
     first_record_ = records_end_ = file_.size();
     if (header.size() < header_bytes) return;
     promised_records_ = u32(header, 44);
+    if (promised_records_ > file_.size() / (record_header_bytes + seanet::head_parameter_bytes))
+        promised_records_ = 0;  // more than the file could ever have held: the count itself is damaged
     const std::uint64_t index = u32(header, 56);
     first_record_ = std::clamp<std::uint64_t>(u32(header, 40), header_bytes, file_.size());
     records_end_ = index >= first_record_ && index <= file_.size() ? index : file_.size();

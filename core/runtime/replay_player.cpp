@@ -159,6 +159,7 @@ Scene ReplayPlayer::scene() const {
     Scene scene = builder_->build(*pipeline_, ping_, latest_);
     scene.position = position_;
     scene.counts = counts_;
+    scene.navigation_known = !source_->navigation().empty();
     scene.at_end = at_end_;
     if (enhanced_) scene.enhanced = enhanceLocally(scene.fan, {});
     return scene;

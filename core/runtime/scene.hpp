@@ -24,6 +24,7 @@ struct Scene {
     Bearing sector_right;
     SourceCounts counts;
     double microseconds_per_ping = 0.0;  ///< processor time of the pipeline, recent mean
+    bool navigation_known = false;       ///< poses are measured, not assumed
     bool at_end = false;
 };
 

@@ -121,29 +121,26 @@ void Tracker::completePass(FollowedTrack& followed, const std::vector<std::size_
         echo_probability += joint[k];
         if (joint[k] > joint[best]) best = k;
     }
-    const bool seen = echo_probability > 0.5;
-    const Region* region = seen ? &pending_[regions[best]].region : nullptr;
-    const Timestamp time = seen ? region->time : std::max(followed.pass.nearestTime(), followed.track.estimate.time);
+    const bool echo = echo_probability > 0.5;
+    const Timestamp time = echo ? pending_[regions[best]].region.time
+                                : std::max(followed.pass.nearestTime(), followed.track.estimate.time);
+    const GaussianState prior = predict(followed, time);
+    GaussianParticleFilter::Posterior posterior{prior, 1.0 - detection, 0.0, true};
+    if (!cues.empty())
+        posterior =
+            filter_.update(prior, (1.0 - detection) * share(joint_none, alone_none), cues,
+                           RandomStream(seed_, followed.track.id, followed.updates++), &followed.track.particles);
+    const bool seen = echo && !posterior.missed;
     const LookResult result = seen                             ? LookResult::Seen
                               : coverage >= looked_at_coverage ? LookResult::Missed
                                                                : LookResult::NotLookedAt;
-    const GaussianState prior = predict(followed, time);
-    const double miss_weight = (1.0 - detection) * share(joint_none, alone_none);
-    double evidence = 1.0 - detection;
-    if (!cues.empty()) {
-        const auto posterior =
-            filter_.update(prior, miss_weight, cues, RandomStream(seed_, followed.track.id, followed.updates++),
-                           &followed.track.particles);
-        evidence = posterior.evidence;
-        followed.track.estimate = posterior.missed ? prior : posterior.state;
-    } else if (result == LookResult::Missed) {
-        followed.track.estimate = prior;
-        followed.track.particles = {};
-    }
-    if (seen) takeEcho(followed, *region, pairings[best]);
+    // A place that was not looked at keeps its old estimate: it is predicted from there the next time, too.
+    if (!posterior.missed || result == LookResult::Missed) followed.track.estimate = posterior.state;
+    if (cues.empty() && result == LookResult::Missed) followed.track.particles = {};
+    if (seen) takeEcho(followed, pending_[regions[best]].region, pairings[best]);
     const bool was_lost = followed.track.state == TrackState::Lost;
     const bool was_confirmed = followed.track.state != TrackState::Tentative;
-    advanceLife(followed.track, result, evidence, time, params_.life);
+    advanceLife(followed.track, result, posterior.evidence, time, params_.life);
     if (was_lost) searchAgain(followed, result, time);
     if (!was_confirmed && followed.track.state == TrackState::Confirmed) ++confirmed_ever_;
     if (result == LookResult::Missed) widenSearch(followed.track, params_.life);

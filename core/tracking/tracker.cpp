@@ -286,6 +286,14 @@ void Tracker::mergeTracks() {
     std::erase_if(followed_, [](const FollowedTrack& followed) { return followed.shadowed_sweeps >= sweeps_to_merge; });
 }
 
+Timestamp Tracker::settledUntil(Timestamp regions_until) const {
+    Timestamp until = regions_until;
+    for (const PendingRegion& pending : pending_) until = std::min(until, pending.region.time);
+    for (const FollowedTrack& followed : followed_)
+        if (followed.pass.inside() || followed.pass.ended()) until = std::min(until, followed.pass.start());
+    return until;
+}
+
 std::vector<Track> Tracker::tracks() const {
     std::vector<Track> tracks;
     for (const FollowedTrack& followed : followed_) tracks.push_back(followed.track);

@@ -111,6 +111,8 @@ public:
 
     /// The tracks that are followed, lost ones that may still come back included.
     std::vector<Track> tracks() const;
+    /// No look that is still to come is of an earlier time, provided that no region is: see `regions_until`.
+    Timestamp settledUntil(Timestamp regions_until) const;
     std::uint64_t confirmedEver() const { return confirmed_ever_; }
     /// Regions per m² and sweep that are nobody's echo.
     double clutterDensity() const;

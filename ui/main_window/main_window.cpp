@@ -111,6 +111,11 @@ void MainWindow::makeDocks() {
     resizeDocks({layers_dock_, tracks_dock_}, {14 * line, 22 * line}, Qt::Horizontal);
     resizeDocks({tracks_dock_, parameters_dock_}, {12 * line, 30 * line}, Qt::Vertical);
     resizeDocks({time_line_dock_}, {8 * line}, Qt::Vertical);
+    connect(tracks_, &TracksPanel::trackSelected, fan_, &FanView::setSelectedTrack);
+    connect(fan_, &FanView::trackSelected, tracks_, &TracksPanel::selectTrack);
+    connect(tracks_, &TracksPanel::designateRequested, this,
+            [this](double range_m, Bearing from_bow) { bridge_.designate(range_m, from_bow.inRadians()); });
+    connect(tracks_, &TracksPanel::clearRequested, this, [this] { bridge_.clearDesignation(); });
     connect(parameters_, &ParameterPanel::message, this, &MainWindow::say);
     connect(transport_, &TransportPanel::message, this, &MainWindow::say);
     connect(parameters_, &ParameterPanel::summaryChanged, this,
