@@ -23,8 +23,8 @@ public:
 
     /// Up to `count` bytes from `offset`; fewer at the end of the file. Valid until the next call.
     seanet::Bytes read(std::uint64_t offset, std::size_t count) {
-        const auto wanted =
-            offset >= size_ ? 0 : static_cast<std::size_t>(std::min<std::uint64_t>(count, size_ - offset));
+        if (offset >= size_) return {};
+        const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(count, size_ - offset));
         if (offset < begin_ || offset + wanted > begin_ + window_.size()) load(offset, std::max(wanted, window_bytes));
         if (offset >= begin_ + window_.size()) return {};
         const auto at = static_cast<std::size_t>(offset - begin_);

@@ -151,6 +151,18 @@ TEST_F(SeanetProLog, WithoutItsIndexTheRecordsAreStillFound) {
     EXPECT_EQ(play(damaged).pings.size(), 312u);
 }
 
+TEST_F(SeanetProLog, ALongDamagedStretchIsSkippedWhole) {
+    constexpr std::size_t stretch = 3'000'000;
+    ByteVector damaged = bytes_;
+    std::fill_n(damaged.begin() + 56, 4, std::uint8_t{0xFF});  // the index no longer stands where it did
+    damaged.resize(offsetOf(311) + record_bytes);
+    damaged.insert(damaged.begin() + static_cast<std::ptrdiff_t>(offsetOf(100)), stretch, std::uint8_t{0x40});
+    const Played played = play(damaged);
+    EXPECT_EQ(played.pings, play(bytes_).pings);
+    EXPECT_EQ(played.counts.skipped_bytes, stretch);
+    EXPECT_EQ(played.counts.lost_records, 1u);
+}
+
 TEST_F(SeanetProLog, HoldingNoLineItIsRefused) {
     const auto errorOf = [](const ByteVector& bytes) {
         const TemporaryFile file(bytes);
