@@ -38,7 +38,7 @@ void addReplayOptions(CLI::App& command, ReplayArguments& a) {
                        "head at the first ping (default: none designated)");
     command.add_option("--parameters", a.parameter_files, "TOML file of parameters; may be given more than once");
     command.add_option("--set", a.assignments, "NAME=VALUE of one parameter; may be given more than once");
-    command.add_option("--seed", a.seed, "Seed of the random numbers (default 0)");
+    command.add_option("--seed", a.seed, "Seed of the random numbers (default 0)")->check(CLI::NonNegativeNumber);
     command.add_option("--duration", a.duration_s, "Stop after so many seconds of the recording (default: its end)")
         ->check(CLI::PositiveNumber);
     command.add_flag("--no-fan", a.no_fan, "Do not paint the fan image: tracks only, and faster");
