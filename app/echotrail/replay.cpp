@@ -46,12 +46,12 @@ public:
             const Update& update = pipeline_.process(*ping, navigation_);
             progress_.end(ping->time);
             without_pose_ += update.navigation_gap;
-            if (auto written = write(update); !written) return written;
+            if (auto written = write(update, pipeline_.settledUntil()); !written) return written;
         }
         progress_.begin();
         const Update& rest = pipeline_.finish();
         progress_.end(last_);
-        return write(rest);
+        return write(rest, Timestamp::max());
     }
 
     nlohmann::ordered_json summary(const nlohmann::ordered_json& navigation) const {
@@ -104,7 +104,9 @@ private:
             std::this_thread::sleep_for(std::min<duration<double>>(due - passed, milliseconds(100)));
     }
 
-    Result<void> write(const Update& update) { return tracks_ ? tracks_->add(update) : Result<void>{}; }
+    Result<void> write(const Update& update, Timestamp settled) {
+        return tracks_ ? tracks_->add(update, settled) : Result<void>{};
+    }
 
     const ReplayOptions& options_;
     PingSource& source_;
@@ -131,11 +133,6 @@ nlohmann::ordered_json tellNavigation(const std::optional<NavigationFile>& file,
                 {"longest_position_gap_s", file->longest_position_gap_s}};
     if (source.navigation().empty()) return {{"mode", "none: the vehicle is taken to stand still"}};
     return {{"mode", "recorded with the pings"}};
-}
-
-TracksOrigin originOf(const SourceInfo& source, const PoseHistory& navigation) {
-    const Pose pose = navigation.at(source.start, HUGE_VAL).value_or(Pose{});
-    return {source.start, pose.north_m, pose.east_m};
 }
 
 ExitCode conclude(const nlohmann::ordered_json& summary, TracksWriter* tracks) {
@@ -167,7 +164,7 @@ ExitCode replay(const ReplayArguments& arguments) {
     const PoseHistory& navigation = file ? file->poses : (*source)->navigation();
     std::unique_ptr<TracksWriter> tracks;
     if (!options->tracks.empty()) {
-        auto opened = TracksWriter::open(options->tracks, originOf((*source)->info(), navigation));
+        auto opened = TracksWriter::open(options->tracks, (*source)->info().start);
         if (!opened) return fail(ExitCode::Failed, opened.error());
         tracks = *std::move(opened);
     }

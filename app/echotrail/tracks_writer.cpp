@@ -18,18 +18,18 @@ double rounded(double value, double digits = 1e6) {
 
 }  // namespace
 
-nlohmann::ordered_json trackLine(const TrackLook& look, const TracksOrigin& origin) {
+nlohmann::ordered_json trackLine(const TrackLook& look, Timestamp first_ping) {
     constexpr double covariance_digits = 1e9;
     const Eigen::Matrix2d& c = look.covariance_m2;
     return {{"time", toIso8601(look.time)},
-            {"t", rounded(secondsBetween(origin.first_ping, look.time))},
+            {"t", rounded(secondsBetween(first_ping, look.time))},
             {"track", look.track},
             {"state", toText(look.state)},
             {"target", look.target},
             {"range_m", rounded(look.range_m)},
             {"bearing_deg", rounded(look.bearing.inDegrees())},
-            {"north_m", rounded(look.position_m.x() - origin.north_m)},
-            {"east_m", rounded(look.position_m.y() - origin.east_m)},
+            {"north_m", rounded(look.position_m.x())},
+            {"east_m", rounded(look.position_m.y())},
             {"velocity_north_mps", rounded(look.velocity_mps.x())},
             {"velocity_east_mps", rounded(look.velocity_mps.y())},
             {"covariance_m2",
@@ -38,8 +38,8 @@ nlohmann::ordered_json trackLine(const TrackLook& look, const TracksOrigin& orig
             {"seen", look.seen}};
 }
 
-Result<std::unique_ptr<TracksWriter>> TracksWriter::open(const std::string& path, const TracksOrigin& origin) {
-    std::unique_ptr<TracksWriter> writer(new TracksWriter(path, origin));
+Result<std::unique_ptr<TracksWriter>> TracksWriter::open(const std::string& path, Timestamp first_ping) {
+    std::unique_ptr<TracksWriter> writer(new TracksWriter(path, first_ping));
     if (path == "-") {
         writer->out_ = &std::cout;
         return writer;
@@ -51,26 +51,21 @@ Result<std::unique_ptr<TracksWriter>> TracksWriter::open(const std::string& path
     return writer;
 }
 
-Result<void> TracksWriter::add(const Update& update) {
+Result<void> TracksWriter::add(const Update& update, Timestamp settled) {
     for (const TrackLook& look : update.looks) {
         if (written_until_ && look.time < *written_until_)
             ++late_;
         else
             held_.emplace(look.time, look);
     }
-    if (!sweep_start_) sweep_start_ = update.time;
-    if (update.sweep_ended) {
-        sweep_duration_ = update.time - *sweep_start_;
-        sweep_start_ = update.time;
-    }
-    return sweep_duration_ ? writeUntil(update.time - *sweep_duration_) : Result<void>{};
+    return writeUntil(settled - Microseconds(1));
 }
 
 Result<void> TracksWriter::writeUntil(Timestamp time) {
     const std::size_t before = held_.size();
     while (!held_.empty() && held_.begin()->first <= time) {
         written_until_ = held_.begin()->first;
-        *out_ << trackLine(held_.begin()->second, origin_).dump() << '\n';
+        *out_ << trackLine(held_.begin()->second, first_ping_).dump() << '\n';
         held_.erase(held_.begin());
     }
     if (held_.size() != before) out_->flush();  // whoever reads along shall not wait for a full buffer

@@ -1,0 +1,253 @@
+#include "ui/views/fan_view.hpp"
+
+#include "colour_measures.hpp"
+#include "sample_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTest>
+#include <QWheelEvent>
+
+namespace echotrail {
+namespace {
+
+using test::shared;
+
+QImage pictureOf(FanView& view, double ratio = 1.0) {
+    QImage picture(view.size() * ratio, QImage::Format_RGB32);
+    picture.setDevicePixelRatio(ratio);
+    view.render(&picture);
+    return picture;
+}
+
+/// Middle of the pixels brighter than any grey of the sample's ground.
+QPointF brightSpot(const QImage& picture, const QRect& within) {
+    double x = 0.0;
+    double y = 0.0;
+    int count = 0;
+    for (int row = within.top(); row <= within.bottom(); ++row)
+        for (int column = within.left(); column <= within.right(); ++column) {
+            if (qGray(picture.pixel(column, row)) < 150) continue;
+            x += column;
+            y += row;
+            ++count;
+        }
+    return count > 0 ? QPointF(x / count, y / count) : QPointF(-1, -1);
+}
+
+int pixelsLike(const QImage& picture, const QColor& colour) {
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            if (picture.pixel(x, y) == colour.rgb()) ++count;
+    return count;
+}
+
+Layers onlyEchoes() {
+    Layers layers;
+    for (bool Layers::*layer :
+         {&Layers::regions_kept, &Layers::regions_dropped, &Layers::particles, &Layers::tracks, &Layers::ellipses,
+          &Layers::history, &Layers::region_of_interest, &Layers::graticule, &Layers::inset})
+        layers.*layer = false;
+    return layers;
+}
+
+class FanViewTest : public testing::Test {
+protected:
+    FanViewTest() {
+        applyTheme(*qApp, Theme::Dusk);
+        view_.resize(1000, 900);
+        view_.setEcho({EchoMap::Grey, 0.0, 80.0, 0.0});
+        view_.show();
+        QObject::connect(&view_, &FanView::designated, [this](double range_m, Bearing from_bow) {
+            ++designations_;
+            range_ = range_m;
+            bearing_ = from_bow;
+        });
+    }
+    ~FanViewTest() override { applyFontScale(*qApp, 1.0); }
+
+    /// The place where a point of the local frame is painted, found from two known bright squares.
+    FanGeometry geometry() const {
+        return fitted(view_.scene()->latest.pose, view_.orientation(), sectorToFit(*view_.scene()), view_.rect(),
+                      QMarginsF(44, 58, 44, 22));
+    }
+    void click(const QPointF& place, Qt::KeyboardModifiers keys = {}) {
+        QTest::mouseClick(&view_, Qt::LeftButton, keys, place.toPoint());
+    }
+
+    FanView view_;
+    int designations_ = 0;
+    double range_ = 0.0;
+    Bearing bearing_;
+};
+
+TEST_F(FanViewTest, AnEchoAheadIsUpAndOneToStarboardIsRight) {
+    Scene scene = test::bareScene();
+    test::brighten(scene.fan, 14.0, 0.0);
+    view_.setLayers(onlyEchoes());
+    view_.setScene(shared(scene));
+    const QPointF head = geometry().head_px;
+    const QPointF ahead = brightSpot(pictureOf(view_), QRect(200, 150, 600, 400));
+    EXPECT_NEAR(ahead.x(), head.x(), 1.0);
+    EXPECT_NEAR(head.y() - ahead.y(), 14.0 * geometry().px_per_m, 2.0);
+    Scene starboard = test::bareScene();
+    test::brighten(starboard.fan, 10.0, 5.0);
+    view_.setScene(shared(starboard));
+    const QPointF right = brightSpot(pictureOf(view_), QRect(200, 150, 600, 500));
+    EXPECT_NEAR(right.x() - head.x(), 5.0 * geometry().px_per_m, 2.0);
+    EXPECT_NEAR(head.y() - right.y(), 10.0 * geometry().px_per_m, 2.0);
+}
+
+TEST_F(FanViewTest, HeadUpTurnsTheGroundAndNorthUpDoesNot) {
+    Scene scene = test::bareScene();
+    scene.latest.pose.heading = Bearing::degrees(20.0);
+    test::brighten(scene.fan, 14.0, 0.0);
+    view_.setLayers(onlyEchoes());
+    view_.setScene(shared(scene));
+    const QPointF turned = brightSpot(pictureOf(view_), QRect(120, 150, 700, 450));
+    EXPECT_NEAR(degreesFromRadians(geometry().bearingOf(turned).inRadians()), -20.0, 0.3);
+    EXPECT_LT(turned.x(), geometry().head_px.x() - 50.0) << "what is north lies to port of a bow of 20°";
+    view_.setOrientation(Orientation::NorthUp);
+    const QPointF straight = brightSpot(
+        pictureOf(view_), geometry().sector.isFullCircle()
+                              ? QRect()
+                              : QRectF(geometry().toScreen(14.0, 0.0) - QPointF(60, 60), QSizeF(120, 120)).toRect());
+    EXPECT_NEAR(straight.x(), geometry().head_px.x(), 1.5);
+}
+
+TEST_F(FanViewTest, AnOldBeamIsDarkerButNeverByMoreThanTheFade) {
+    Scene scene = test::bareScene();
+    scene.fan = test::greyFan(200);
+    view_.setLayers(onlyEchoes());
+    view_.setEcho({EchoMap::Grey, 0.0, 80.0, most_fade});
+    view_.setScene(shared(scene));
+    const QImage picture = pictureOf(view_);
+    const auto grey = [&](double degrees) {
+        return qGray(picture.pixel(geometry().at(14.0, Bearing::degrees(degrees)).toPoint()));
+    };
+    EXPECT_LT(grey(-40.0), grey(0.0));
+    EXPECT_LT(grey(0.0), grey(35.0));
+    EXPECT_GE(grey(-44.0), static_cast<int>(grey(35.0) * (1.0 - most_fade)) - 2);
+}
+
+TEST_F(FanViewTest, ALayerTurnedOffTakesItsColourAway) {
+    view_.setScene(shared(test::fullScene()));
+    const auto off = [&](std::initializer_list<bool Layers::*> gone) {
+        Layers layers;
+        layers.inset = false;
+        for (bool Layers::*layer : gone) layers.*layer = false;
+        view_.setLayers(layers);
+        return pictureOf(view_);
+    };
+    const Palette& palette = paletteOf(Theme::Dusk);
+    EXPECT_GT(pixelsLike(off({}), palette.region), 0);
+    EXPECT_EQ(pixelsLike(off({&Layers::regions_kept, &Layers::regions_dropped}), palette.region), 0);
+    EXPECT_GT(pixelsLike(off({}), palette.danger), 0);
+    EXPECT_EQ(pixelsLike(off({&Layers::tracks, &Layers::ellipses}), palette.danger), 0);
+    EXPECT_NE(off({}), off({&Layers::particles}));
+    EXPECT_NE(off({}), off({&Layers::region_of_interest}));
+    EXPECT_NE(off({}), off({&Layers::history}));
+    EXPECT_NE(off({}), off({&Layers::graticule}));
+    EXPECT_NE(off({}), off({&Layers::echoes}));
+}
+
+TEST_F(FanViewTest, NothingIsBrighterAtNightThanTheMarks) {
+    applyTheme(*qApp, Theme::Night);
+    Scene scene = test::fullScene();
+    scene.fan = test::greyFan(255);
+    for (const EchoMap map : echo_maps) {
+        view_.setEcho({map, 0.0, 80.0, 0.0});
+        view_.setScene(shared(scene));
+        const QImage picture = pictureOf(view_);
+        const double most = test::luminance(paletteOf(Theme::Night).mark) + 0.002;
+        double brightest = 0.0;
+        for (int y = 0; y < picture.height(); y += 1)
+            for (int x = 0; x < picture.width(); x += 1)
+                if (qGray(picture.pixel(x, y)) > 120)
+                    brightest = std::max(brightest, test::luminance(QColor(picture.pixel(x, y))));
+        EXPECT_LE(brightest, most) << echoMapTitle(map).toStdString();
+    }
+}
+
+TEST_F(FanViewTest, IsPaintedInEveryPaletteAtEveryTextSizeAndPixelRatio) {
+    view_.setScene(shared(test::fullScene()));
+    for (const Theme theme : {Theme::Day, Theme::Dusk, Theme::Night})
+        for (const double scale : {0.8, 1.0, 1.5, 2.0})
+            for (const double ratio : {1.0, 2.0}) {
+                applyTheme(*qApp, theme);
+                applyFontScale(*qApp, scale);
+                const QImage picture = pictureOf(view_, ratio);
+                EXPECT_EQ(picture.width(), static_cast<int>(1000 * ratio));
+                EXPECT_GT(pixelsLike(picture, paletteOf(theme).track), 20) << scale << " " << ratio;
+                EXPECT_GT(pixelsLike(picture, paletteOf(theme).canvas), 1000) << scale << " " << ratio;
+            }
+}
+
+TEST_F(FanViewTest, EmptyScenesAndNoSceneArePaintedToo) {
+    EXPECT_GT(pixelsLike(pictureOf(view_), paletteOf(Theme::Dusk).canvas), 1000);
+    view_.setScene(shared(Scene{}));
+    EXPECT_GT(pixelsLike(pictureOf(view_), paletteOf(Theme::Dusk).canvas), 1000);
+    Scene scene = test::fullScene();
+    scene.fan = {};
+    view_.setScene(shared(scene));
+    view_.resize(10, 10);
+    pictureOf(view_);
+}
+
+TEST_F(FanViewTest, AClickOnATrackDesignatesIt) {
+    view_.setScene(shared(test::fullScene()));
+    std::vector<int> selected;
+    QObject::connect(&view_, &FanView::trackSelected, [&](int id) { selected.push_back(id); });
+    click(geometry().toScreen(16.0, -5.0) + QPointF(4, 3));
+    EXPECT_EQ(designations_, 1);
+    EXPECT_NEAR(range_, std::hypot(16.0, 5.0), 1e-6) << "the track's place, not the hand's";
+    EXPECT_EQ(selected, std::vector<int>{2});
+}
+
+TEST_F(FanViewTest, ControlClickOnlySelects) {
+    view_.setScene(shared(test::fullScene()));
+    click(geometry().toScreen(16.0, -5.0), Qt::ControlModifier);
+    EXPECT_EQ(designations_, 0);
+    EXPECT_EQ(view_.selectedTrack(), 2);
+}
+
+TEST_F(FanViewTest, AClickOnARegionOrAnEchoDesignatesThatPlace) {
+    view_.setScene(shared(test::fullScene()));
+    click(geometry().toScreen(17.3, 1.2));
+    EXPECT_NEAR(range_, std::hypot(17.0, 1.0), 1e-6) << "the region's middle";
+    click(geometry().toScreen(13.0, -8.0));
+    EXPECT_EQ(designations_, 2);
+    EXPECT_NEAR(range_, std::hypot(13.0, 8.0), 0.05);
+    EXPECT_NEAR(bearing_.inDegrees(), -31.6, 0.2);
+}
+
+TEST_F(FanViewTest, ADragAMeasureOrAClickBeyondTheRangeDesignatesNothing) {
+    view_.setScene(shared(test::fullScene()));
+    const QPoint from = geometry().toScreen(13.0, -8.0).toPoint();
+    QTest::mousePress(&view_, Qt::LeftButton, {}, from);
+    QTest::mouseMove(&view_, from + QPoint(80, 40));
+    QTest::mouseRelease(&view_, Qt::LeftButton, {}, from + QPoint(80, 40));
+    view_.resetView();
+    click(QPointF(30, 500));
+    view_.setMeasuring(true);
+    click(geometry().toScreen(12.0, 2.0));
+    EXPECT_EQ(designations_, 0);
+}
+
+TEST_F(FanViewTest, TheWheelKeepsThePlaceUnderTheCursor) {
+    Scene scene = test::bareScene();
+    test::brighten(scene.fan, 14.0, 3.0);
+    view_.setLayers(onlyEchoes());
+    view_.setScene(shared(scene));
+    const QPointF place = geometry().toScreen(14.0, 3.0);
+    QWheelEvent event(place, view_.mapToGlobal(place), {}, {0, 360}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    QApplication::sendEvent(&view_, &event);
+    const QRect about = QRectF(place - QPointF(80, 80), QSizeF(160, 160)).toRect();
+    EXPECT_NEAR(QLineF(brightSpot(pictureOf(view_), about), place).length(), 0.0, 2.0);
+}
+
+}  // namespace
+}  // namespace echotrail
