@@ -23,8 +23,8 @@ struct Layers {
 /// How echo levels are shown.
 struct EchoSettings {
     EchoMap map = EchoMap::Grey;
-    double black_db = 10.0;  ///< this level and below is the map's first colour
-    double white_db = 60.0;  ///< this level and above is its last
+    double black_db = 5.0;   ///< this level and below is the map's first colour
+    double white_db = 50.0;  ///< this level and above is its last
     double fade = 0.38;      ///< darkening of the oldest beam, 0…0.38
     bool operator==(const EchoSettings&) const = default;
 };

@@ -42,7 +42,9 @@ TracksPanel::TracksPanel(QWidget* parent) : QWidget(parent) {
     clear_->setToolTip(tr("No target (Delete); all tracks live on"));
     for (QPushButton* button : {designate_, clear_}) button->setEnabled(false);
     auto* buttons = new QHBoxLayout;
-    buttons->setContentsMargins(8, 4, 8, 0);
+    const UiMetrics metrics(font());
+    buttons->setContentsMargins(metrics.pixels(8.0), metrics.pixels(4.0), metrics.pixels(8.0), 0);
+    buttons->setSpacing(metrics.pixels(4.0));
     buttons->addWidget(designate_);
     buttons->addWidget(clear_);
     buttons->addStretch(1);
@@ -94,8 +96,9 @@ const Track* TracksPanel::shownTrack(const Scene& scene) const {
         const auto found = std::find_if(scene.tracks.begin(), scene.tracks.end(), wanted);
         return found == scene.tracks.end() ? nullptr : &*found;
     };
-    const Track* chosen = find([this](const Track& track) { return track.id == selected_; });
-    return chosen ? chosen : find([](const Track& track) { return track.target; });
+    if (const Track* chosen = find([this](const Track& track) { return track.id == selected_; })) return chosen;
+    // Without a choice or a target, the surest track is the one to be asked about.
+    return model_.rowCount() > 0 ? find([this](const Track& track) { return track.id == model_.idAt(0); }) : nullptr;
 }
 
 void TracksPanel::setScene(const Scene& scene) {

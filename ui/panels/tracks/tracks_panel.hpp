@@ -12,14 +12,15 @@ namespace echotrail {
 
 class TargetCard;
 
-/// The list of tracks and the card of the one that is selected: the operator's target unless a row was chosen.
+/// The list of tracks and the card of the one that is selected: a chosen row, else the operator's target,
+/// else the surest track.
 class TracksPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit TracksPanel(QWidget* parent = nullptr);
     void setScene(const Scene& scene);
-    /// Opens a track's card; 0: that of the target.
+    /// Opens a track's card; 0: that of the target or, without one, of the surest track.
     void selectTrack(int id);
 
     const TrackModel& model() const { return model_; }
