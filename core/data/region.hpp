@@ -1,22 +1,22 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include "core/base/angles.hpp"
+#include "core/base/time.hpp"
 
 #include <Eigen/Core>
 
-#include "core/base/angles.hpp"
-#include "core/base/time.hpp"
+#include <cstdint>
+#include <vector>
 
 namespace echotrail {
 
 /// What sets a region apart besides its place (method card, sections d and e).
 struct RegionFeatures {
     double area_m2 = 0.0;
-    double moment = 0.0;        ///< m* = log10(M2 + 1e-3), M2 Hu's second invariant of the region's mask
-    double along_range_m = 0.0; ///< 4 times the deviation of the mask along the line of sight
-    double across_range_m = 0.0;///< the same across it
-    double strength_db = 0.0;   ///< how far its peak stands out from the background
+    double moment = 0.0;          ///< m* = log10(M2 + 1e-3), M2 Hu's second invariant of the region's mask
+    double along_range_m = 0.0;   ///< 4 times the deviation of the mask along the line of sight
+    double across_range_m = 0.0;  ///< the same across it
+    double strength_db = 0.0;     ///< how far its peak stands out from the background
 };
 
 /// A connected patch of the fan that stands out from its background.
@@ -29,13 +29,13 @@ struct Region {
     RegionFeatures features;
     double peak_db = 0.0;
     double mean_db = 0.0;
-    double contrast_db = 0.0;          ///< peak excess over the background
+    double contrast_db = 0.0;  ///< peak excess over the background
     int pixels = 0;
-    int beam_hits = 0;                 ///< pings that met it
-    double clipped_fraction = 0.0;     ///< of its pixels at full scale
-    bool faint = false;                ///< found only because an object was expected there
-    bool clutter_mass = false;         ///< larger than any target: a bank, the bottom, a wall
-    bool multipath = false;            ///< looks like the echo of a stronger region behind it
+    int beam_hits = 0;                       ///< pings that met it
+    double clipped_fraction = 0.0;           ///< of its pixels at full scale
+    bool only_expected = false;              ///< found only because an object was expected there
+    bool clutter_mass = false;               ///< larger than any target: a bank, the bottom, a wall
+    bool multipath = false;                  ///< looks like the echo of a stronger region behind it
     std::vector<Eigen::Vector2f> outline_m;  ///< contour, north and east
 };
 

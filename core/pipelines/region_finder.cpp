@@ -96,7 +96,8 @@ void RegionFinder::growRegions(const Candidate& candidate, std::vector<Region>& 
         const bool inside = region.range_m >= near_m - cell_m && region.range_m <= far_m + cell_m;
         if (!inside || !isNew(pixels, region.time)) continue;
         region.beam_hits = beamHits(region, first, last);
-        region.faint = region.contrast_db < params_.screen.seed_excess_db;
+        region.only_expected =
+            region.contrast_db < params_.screen.seed_excess_db || region.range_m < params_.screen.blank_range_m;
         region.id = next_id_++;
         regions.push_back(std::move(region));
     }

@@ -6,8 +6,8 @@ namespace echotrail {
 
 /// A cluster of tracks that share regions: what each pairing is worth before the others are considered.
 struct AssociationProblem {
-    std::vector<std::vector<double>> weight;  ///< [track][region] P_D·likeness·N(innovation)/λ; 0: not in the gate
-    std::vector<double> miss;                 ///< [track] 1 − P_D: the track's echo was not detected
+    std::vector<std::vector<double>> weight;  ///< [track][region] r·P_D·likeness·N(innovation)/λ; 0: not in the gate
+    std::vector<double> miss;                 ///< [track] 1 − r·P_D: no object (its existence is r), or not detected
 };
 
 /// Chances that region j is track t's echo, given that no region is the echo of two tracks and no track has two

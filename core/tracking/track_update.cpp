@@ -61,25 +61,30 @@ Tracker::Pairing Tracker::pair(const FollowedTrack& followed, const Region& regi
     return pairing;
 }
 
+double Tracker::worth(const Pairing& pairing) const {
+    // An echo that is there was detected, however little of the place the beam covered.
+    const double floor = params_.likeness.likeness_floor;
+    return params_.tracking.detection_probability / clutterDensity() * (pairing.likeness + floor) /
+           (clutter_score_ + floor) * pairing.strength_ratio;
+}
+
 /// Joint association of the cluster, then each track's own update (method card, sections f and g).
 void Tracker::processCluster(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
                              std::vector<TrackLook>& looks) {
-    const double floor = params_.likeness.likeness_floor;
     std::vector<std::vector<Pairing>> pairings(members.size());
     AssociationProblem problem;
     for (std::size_t m = 0; m < members.size(); ++m) {
         const FollowedTrack& followed = followed_[members[m]];
+        const double existence = followed.track.existence;  // an unproven track has less of a claim (JIPDA)
         const double detection = params_.tracking.detection_probability * followed.pass.coverage();
         auto& weights = problem.weight.emplace_back();
         for (const std::size_t j : regions) {
             Pairing pairing = pair(followed, pending_[j].region);
-            // An echo that is there was detected, however little of the place the beam covered.
-            pairing.cue.weight = params_.tracking.detection_probability / clutterDensity() *
-                                 (pairing.likeness + floor) / (clutter_score_ + floor) * pairing.strength_ratio;
-            weights.push_back(pairing.gated ? pairing.cue.weight * pairing.density : 0.0);
+            pairing.cue.weight = worth(pairing);
+            weights.push_back(pairing.gated ? existence * pairing.cue.weight * pairing.density : 0.0);
             pairings[m].push_back(pairing);
         }
-        problem.miss.push_back(1.0 - detection);
+        problem.miss.push_back(1.0 - existence * detection);
     }
     const Association joint = associate(problem);
     const Association alone = associateAlone(problem);

@@ -136,7 +136,10 @@ private:
     Eigen::Matrix2d measurementCovariance(const Region& region) const;
     EchoGeometry geometryAt(double range_m) const;
     Pairing pair(const FollowedTrack& followed, const Region& region) const;
+    /// What the region's being the track's echo is worth, against its being clutter: P_D/λ · likeness · strength, m².
+    double worth(const Pairing& pairing) const;
     double halfWidth(const ExpectedPlace& place) const;
+    void concludeClearPasses(const BeamStillOn& still_on);
 
     void settle(const BeamStillOn& still_on, std::vector<TrackLook>& looks);
     bool collectCluster(std::size_t first, const BeamStillOn& still_on, std::vector<std::size_t>& members,
