@@ -2,7 +2,7 @@
 #include "core/pipelines/scanning_sonar_pipeline.hpp"
 #include "core/recording/recording.hpp"
 #include "core/runtime/denormals.hpp"
-#include "core/simulation/simulation.hpp"
+#include "core/simulation/simulated_source.hpp"
 
 #include <benchmark/benchmark.h>
 #include <opencv2/core.hpp>
@@ -32,7 +32,7 @@ Recorded recorded(PingSource& source) {
 Recorded fiftyMetres() {
     const std::string file = std::string(ECHOTRAIL_SHARED_DATA) + "/seanet/seaking_dst_udp/sonar_stream_part1.bin";
     if (std::filesystem::exists(file)) return recorded(**openRecording(file));
-    return recorded(**openSimulation("demonstration"));
+    return recorded(**openSimulation("demonstration", 1));
 }
 
 double residentMebibytes() {
@@ -75,7 +75,7 @@ void wholePipeline(benchmark::State& state, bool paint_fan, const Recorded& reco
 void withFan(benchmark::State& state) { wholePipeline(state, true, fiftyMetres()); }
 void withoutFan(benchmark::State& state) { wholePipeline(state, false, fiftyMetres()); }
 void demonstrationWithFan(benchmark::State& state) {
-    wholePipeline(state, true, recorded(**openSimulation("demonstration")));
+    wholePipeline(state, true, recorded(**openSimulation("demonstration", 1)));
 }
 BENCHMARK(withFan)->Unit(benchmark::kMillisecond)->Iterations(100);
 BENCHMARK(withoutFan)->Unit(benchmark::kMillisecond)->Iterations(100);

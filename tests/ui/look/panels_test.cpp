@@ -102,7 +102,9 @@ TEST(LayersPanel, CheckBoxesAndTheFanAgreeBothWays) {
     layers.particles = true;
     fan.setLayers(layers);
     for (QCheckBox* box : panel.findChildren<QCheckBox*>())
-        if (box->text() == "Particles") EXPECT_TRUE(box->isChecked());
+        if (box->text() == "Particles") {
+            EXPECT_TRUE(box->isChecked());
+        }
 }
 
 TEST(LayersPanel, BlackPushesWhiteBeforeIt) {
