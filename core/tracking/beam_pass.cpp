@@ -32,10 +32,8 @@ void BeamPass::follow(const BeamMoment& beam, const ExpectedPlace& place, double
     const double turn = beam.azimuth - place.azimuth;
     if (std::abs(turn) > half_width_rad) {
         ended_ = inside_;
-        waiting_ = false;
         return;
     }
-    if (waiting_) return;
     if (!inside_) {
         inside_ = true;
         start_ = beam.time;

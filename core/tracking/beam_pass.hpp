@@ -41,18 +41,8 @@ public:
     /// Moves the pass on by one ping; `half_width_rad` is how far to each side the object may be.
     void follow(const BeamMoment& beam, const ExpectedPlace& place, double half_width_rad);
     /// The beam will not come further this time (it turned round, or the data ended).
-    void breakOff() {
-        ended_ = ended_ || inside_;
-        waiting_ = false;
-    }
-    /// The object was found beyond doubt and the beam has left it: the rest of its gate need not be waited for.
-    void conclude() { ended_ = concluded_ = inside_; }
-    /// The next pass; after one that was concluded it begins only when the beam has left the gate or turned round.
-    void restart() {
-        const bool wait = concluded_;
-        *this = BeamPass();
-        waiting_ = wait;
-    }
+    void breakOff() { ended_ = ended_ || inside_; }
+    void restart() { *this = BeamPass(); }
 
     bool inside() const { return inside_ && !ended_; }
     bool ended() const { return ended_; }
@@ -66,8 +56,6 @@ public:
 private:
     bool inside_ = false;
     bool ended_ = false;
-    bool concluded_ = false;
-    bool waiting_ = false;  ///< for the beam to leave the gate of a concluded pass
     Timestamp start_{};
     Timestamp nearest_time_{};
     Pose nearest_head_;

@@ -16,7 +16,6 @@ constexpr double gate_sigmas = 3.0;
 constexpr double least_excess_db = 2.0, strongest_clutter_db = 20.0;
 constexpr double widest_interest = 0.1;    // of the range scale, to each side
 constexpr double vaguest_tentative = 0.1;  // deviation of an unproven track, in range scales
-constexpr double clear_worth = 50.0;       // odds of an echo against none that end a pass at once
 constexpr int sweeps_to_merge = 3;
 
 }  // namespace
@@ -51,7 +50,6 @@ void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions,
             beam.head.north_m,    beam.head.east_m, place.azimuth, half_width, std::max(place.range_m - along, 0.0),
             place.range_m + along};
     }
-    concludeClearPasses(still_on);
     settle(still_on, looks);
     giveUpUnseen(looks);
     std::erase_if(followed_, [&](const FollowedTrack& f) {
@@ -62,23 +60,6 @@ void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions,
         return unproven || isForgotten(f.track, beam.time, params_.life);
     });
     applyDesignation();
-}
-
-/// Near the head, or after a miss, the gate may span the whole sector. Where an echo in it speaks for itself the track
-/// is updated once the beam has left that echo, not when it has left the gate.
-void Tracker::concludeClearPasses(const BeamStillOn& still_on) {
-    for (FollowedTrack& followed : followed_) {
-        if (!followed.pass.inside()) continue;
-        for (const PendingRegion& pending : pending_) {
-            const Region& region = pending.region;
-            const Pairing pairing = pair(followed, region);
-            if (!pairing.gated || worth(pairing) * pairing.density < clear_worth) continue;
-            const double reach = region.features.along_range_m + params_.tracking.merge_tracks_m;
-            if (still_on(region.range_m - reach, region.range_m + reach)) continue;
-            followed.pass.conclude();
-            break;
-        }
-    }
 }
 
 /// A confirmed track that nothing was seen of for long is lost, also where the beam never came by.

@@ -139,7 +139,6 @@ private:
     /// What the region's being the track's echo is worth, against its being clutter: P_D/λ · likeness · strength, m².
     double worth(const Pairing& pairing) const;
     double halfWidth(const ExpectedPlace& place) const;
-    void concludeClearPasses(const BeamStillOn& still_on);
 
     void settle(const BeamStillOn& still_on, std::vector<TrackLook>& looks);
     bool collectCluster(std::size_t first, const BeamStillOn& still_on, std::vector<std::size_t>& members,

@@ -108,7 +108,7 @@ void MainWindow::makeDocks() {
     addDockWidget(Qt::BottomDockWidgetArea, time_line_dock_);
     // Widths in the proportions of the design: 252 and 378 of 1600.
     const int line = fontMetrics().height();
-    resizeDocks({layers_dock_, tracks_dock_}, {14 * line, 24 * line}, Qt::Horizontal);
+    resizeDocks({layers_dock_, tracks_dock_}, {14 * line, 22 * line}, Qt::Horizontal);
     resizeDocks({tracks_dock_, parameters_dock_}, {26 * line, 18 * line}, Qt::Vertical);
     resizeDocks({time_line_dock_}, {8 * line}, Qt::Vertical);
     connect(tracks_, &TracksPanel::trackSelected, fan_, &FanView::setSelectedTrack);

@@ -69,10 +69,12 @@ TEST(TracksFile, TimesNeverGoBackOverTheWholeFile) {
     EXPECT_EQ(demonstrationLines().back()["summary"]["late_looks"], 0);
 }
 
-TEST(TracksFile, ALostTrackNeverComesBackUnderItsNumber) {
+TEST(TracksFile, AFoundAgainTrackKeepsItsNumberAndIsConfirmed) {
     std::set<int> lost;
     for (const Json& line : trackLines()) {
-        EXPECT_FALSE(lost.contains(line["track"])) << line;
+        if (lost.erase(line["track"].get<int>()) > 0) {
+            EXPECT_EQ(line["state"], "confirmed") << line;
+        }
         if (line["state"] == "lost") lost.insert(line["track"].get<int>());
     }
 }

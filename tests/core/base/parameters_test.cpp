@@ -47,7 +47,7 @@ struct Described<Everything> {
 namespace {
 
 std::string writeFile(const std::string& text) {
-    const std::string path = testing::TempDir() + "parameters_test.toml";
+    const std::string path = testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml";
     std::ofstream(path) << text;
     return path;
 }

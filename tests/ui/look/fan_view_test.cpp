@@ -87,6 +87,7 @@ TEST_F(FanViewTest, AnEchoAheadIsUpAndOneToStarboardIsRight) {
     Scene scene = test::bareScene();
     test::brighten(scene.fan, 14.0, 0.0);
     view_.setLayers(onlyEchoes());
+    view_.setEcho({EchoMap::Grey, 10.0, 60.0, 0.0});  // the sea stays dark, the echo bright
     view_.setScene(shared(scene));
     const QPointF head = geometry().head_px;
     const QPointF ahead = brightSpot(pictureOf(view_), QRect(200, 150, 600, 400));
@@ -105,6 +106,7 @@ TEST_F(FanViewTest, HeadUpTurnsTheGroundAndNorthUpDoesNot) {
     scene.latest.pose.heading = Bearing::degrees(20.0);
     test::brighten(scene.fan, 14.0, 0.0);
     view_.setLayers(onlyEchoes());
+    view_.setEcho({EchoMap::Grey, 10.0, 60.0, 0.0});  // the sea stays dark, the echo bright
     view_.setScene(shared(scene));
     const QPointF turned = brightSpot(pictureOf(view_), QRect(120, 150, 700, 450));
     EXPECT_NEAR(degreesFromRadians(geometry().bearingOf(turned).inRadians()), -20.0, 0.3);
@@ -121,6 +123,7 @@ TEST_F(FanViewTest, AnOldBeamIsDarkerButNeverByMoreThanTheFade) {
     Scene scene = test::bareScene();
     scene.fan = test::greyFan(200);
     view_.setLayers(onlyEchoes());
+    view_.setEcho({EchoMap::Grey, 10.0, 60.0, 0.0});  // the sea stays dark, the echo bright
     view_.setEcho({EchoMap::Grey, 0.0, 80.0, most_fade});
     view_.setScene(shared(scene));
     const QImage picture = pictureOf(view_);
@@ -240,6 +243,7 @@ TEST_F(FanViewTest, TheWheelKeepsThePlaceUnderTheCursor) {
     Scene scene = test::bareScene();
     test::brighten(scene.fan, 14.0, 3.0);
     view_.setLayers(onlyEchoes());
+    view_.setEcho({EchoMap::Grey, 10.0, 60.0, 0.0});  // the sea stays dark, the echo bright
     view_.setScene(shared(scene));
     const QPointF place = geometry().toScreen(14.0, 3.0);
     QWheelEvent event(place, view_.mapToGlobal(place), {}, {0, 360}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
