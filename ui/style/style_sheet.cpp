@@ -45,7 +45,10 @@ QToolBar { background: @raised; border: none; spacing: 0; padding: 0; }
 QGroupBox { border: none; border-top: 1px solid @line; margin-top: @18px; padding-top: @4px; font-weight: 600; }
 QGroupBox::title { subcontrol-origin: margin; subcontrol-position: top left; padding: @3px 0; color: @dim; }
 QLabel#dim { color: @dim; }
-QLabel#dim:disabled, QLabel#stale { color: @off; }
+QLabel#dim:disabled, QLabel#card_stale { color: @off; }
+QLabel#title { font-weight: 600; }
+QLabel#card_value, QLabel#card_stale { font-size: @15px; font-weight: 600; }
+QLabel#card_detail { color: @dim; font-size: @11px; }
 QLabel#refusal { color: @warning; }
 QLabel#lost { color: @alarm; font-weight: 600; }
 QLabel#section { color: @dim; font-weight: 600; border-top: 1px solid @line; padding-top: @4px; }

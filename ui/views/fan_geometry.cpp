@@ -65,6 +65,12 @@ Bearing FanGeometry::bearingOf(QPointF screen) const {
     return Bearing::radians(std::atan2(offset.x(), -offset.y()) - (heading - up));
 }
 
+QRectF FanGeometry::sectorBox() const {
+    const QRectF unit = unitBox(screenAngle(sector.left), sector.width_rad);
+    const double radius = sector.range_m * px_per_m;
+    return {head_px + radius * unit.topLeft(), radius * unit.size()};
+}
+
 FanGeometry FanGeometry::magnified(const Eigen::Vector2d& place, double times, const QRectF& box) const {
     FanGeometry larger = *this;
     larger.px_per_m *= times;

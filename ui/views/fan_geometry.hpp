@@ -46,6 +46,8 @@ struct FanGeometry {
     Bearing bearingOf(QPointF screen) const;  ///< from the bow
     /// Clockwise from up on the screen.
     double screenAngle(Bearing from_bow) const { return (heading - up) + from_bow.inRadians(); }
+    /// Smallest box on the screen that holds the sector.
+    QRectF sectorBox() const;
     /// The same view, `times` as large, with this place in the middle of `box`.
     FanGeometry magnified(const Eigen::Vector2d& place, double times, const QRectF& box) const;
     bool operator==(const FanGeometry&) const = default;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace echotrail {
 namespace {
@@ -26,6 +27,13 @@ QString text(const char* source) { return QCoreApplication::translate("FanView",
 const FanImage& shownFan(const FanMoment& moment) {
     const bool enhanced = moment.layers.enhanced && !moment.scene->enhanced.empty();
     return enhanced ? moment.scene->enhanced : moment.scene->fan;
+}
+
+/// Where echoes can be: within range, and within the sector unless the vehicle has turned since they were seen.
+QRect echoBox(const FanMoment& moment, const QRectF& view) {
+    FanGeometry reach = moment.geometry;
+    if (headingKnown(*moment.scene)) reach.sector.width_rad = 2.0 * std::numbers::pi;
+    return reach.sectorBox().adjusted(-2, -2, 2, 2).intersected(view).toAlignedRect();
 }
 
 const Track* trackToMagnify(const FanMoment& moment) {
@@ -222,12 +230,13 @@ void FanPicture::paint(QPainter& painter, const QSize& size, const FanMoment& mo
         painter.drawText(view, Qt::AlignCenter, text("No echoes yet"));
         return;
     }
-    if (moment.layers.echoes)
-        painter.drawImage(0, 0,
+    painter.fillRect(view, palette.canvas);
+    if (moment.layers.echoes) {
+        const QRect box = echoBox(moment, view);
+        painter.drawImage(box.topLeft(),
                           echo_.image(shownFan(moment), moment.serial, *moment.ages, moment.geometry, moment.echo,
-                                      currentTheme(), QRect(QPoint(), size), painter.device()->devicePixelRatioF()));
-    else
-        painter.fillRect(view, palette.canvas);
+                                      currentTheme(), box, painter.device()->devicePixelRatioF()));
+    }
     painter.setRenderHint(QPainter::Antialiasing);
     if (moment.layers.graticule)
         graticule_.paint(painter, size, moment.geometry, palette, font, headingKnown(*moment.scene));

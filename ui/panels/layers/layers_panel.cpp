@@ -171,7 +171,7 @@ void LayersPanel::setScene(const Scene& scene) {
         if (track.target || particles == 0) particles = track.particles.weight.size();
     const auto count = [this](bool Layers::*layer, std::size_t number) {
         for (const LayerRow& row : layers_)
-            if (row.layer == layer) row.count->setText(number > 0 ? Formatter::count(number) : Formatter::unknown());
+            if (row.layer == layer) row.count->setText(Formatter::count(number));
     };
     count(&Layers::regions_kept, scene.regions.size() - static_cast<std::size_t>(dropped));
     count(&Layers::regions_dropped, static_cast<std::size_t>(dropped));

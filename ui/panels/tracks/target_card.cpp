@@ -6,7 +6,6 @@
 #include "ui/views/beam_schedule.hpp"
 #include "ui/views/track_painter.hpp"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QStyle>
@@ -20,7 +19,9 @@ constexpr double nis_limit = 5.99;  ///< 95 % of a consistent track's values lie
 constexpr double least_moving_mps = 0.05;
 
 QString plusMinus(double value, int decimals, const QString& unit) {
-    return std::isfinite(value) ? QChar(0xb1) + Formatter::withUnit(value, decimals, unit) : QString();
+    if (!std::isfinite(value)) return {};
+    return QChar(0xb1) +
+           (unit.isEmpty() ? Formatter::number(value, decimals) : Formatter::withUnit(value, decimals, unit));
 }
 
 /// Deviation of a plane Gaussian in a direction.
@@ -49,6 +50,7 @@ TargetCard::TargetCard(QWidget* parent) : QWidget(parent) {
     column->setSpacing(metrics.pixels(6.0));
     auto* head = new QHBoxLayout;
     title_ = new QLabel(this);
+    title_->setObjectName("title");
     subtitle_ = dimLabel({}, this);
     head->addWidget(title_);
     head->addWidget(subtitle_, 1);
@@ -62,7 +64,7 @@ TargetCard::TargetCard(QWidget* parent) : QWidget(parent) {
     column->addLayout(values);
     column->addLayout(comparisons);
     column->addLayout(facts);
-    sizeTexts();
+    column->addStretch(1);
     showNothing();
 }
 
@@ -72,7 +74,8 @@ void TargetCard::addValues(QGridLayout& grid) {
     for (int i = 0; i < ValueCount; ++i) {
         const int row = i / 3 * 2;
         auto* box = new QHBoxLayout;
-        values_[static_cast<std::size_t>(i)] = {new QLabel(this), dimLabel({}, this)};
+        values_[static_cast<std::size_t>(i)] = {new QLabel(this), new QLabel(this)};
+        values_[static_cast<std::size_t>(i)].detail->setObjectName("card_detail");
         box->setSpacing(UiMetrics(font()).pixels(3.0));
         box->addWidget(values_[static_cast<std::size_t>(i)].value);
         box->addWidget(values_[static_cast<std::size_t>(i)].detail, 1, Qt::AlignBottom);
@@ -111,25 +114,11 @@ void TargetCard::addFacts(QGridLayout& grid) {
     grid.setColumnStretch(1, 1);
 }
 
-void TargetCard::sizeTexts() {
-    const UiMetrics metrics(font());
-    title_->setFont(metrics.sized(font(), 12.0, true));
-    for (const Value& value : values_) {
-        value.value->setFont(metrics.sized(font(), 15.0, true));
-        value.detail->setFont(metrics.sized(font(), 11.0));
-    }
-}
-
-void TargetCard::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::FontChange) sizeTexts();
-    QWidget::changeEvent(event);
-}
-
 void TargetCard::setValue(ValueName name, const QString& value, const QString& detail, bool stale) {
     const Value& field = values_[name];
     field.value->setText(value);
     field.detail->setText(detail);
-    setName(*field.value, stale ? "stale" : "value");
+    setName(*field.value, stale ? "card_stale" : "card_value");
 }
 
 void TargetCard::showNothing() {
@@ -155,7 +144,7 @@ void TargetCard::showValues(const Track& track, const Scene& scene) {
     const bool stale = track.state == TrackState::Lost;
     setValue(RangeValue, Formatter::range(range), plusMinus(deviationAlong(place, away), 2, "m"), stale);
     const double bearing_deg = degreesFromRadians(deviationAlong(place, across) / std::max(range, 0.1));
-    setValue(BearingValue, Formatter::relativeBearing(from_bow), plusMinus(bearing_deg, 1, QChar(0xb0)), stale);
+    setValue(BearingValue, Formatter::relativeBearing(from_bow), plusMinus(bearing_deg, 1, {}) + QChar(0xb0), stale);
     const double age = secondsBetween(track.last_seen, scene.latest.time);
     setValue(AgeValue, Formatter::age(age), {}, stale);
     const Eigen::Vector2d velocity = track.estimate.mean.tail<2>();
@@ -164,8 +153,7 @@ void TargetCard::showValues(const Track& track, const Scene& scene) {
     const Eigen::Matrix2d velocity_spread = track.estimate.covariance.bottomRightCorner<2, 2>();
     if (track.looks > 1)
         setValue(SpeedValue, Formatter::speed(speed),
-                 moving ? plusMinus(deviationAlong(velocity_spread, velocity / speed), 2, {}).trimmed() : QString(),
-                 stale);
+                 moving ? plusMinus(deviationAlong(velocity_spread, velocity / speed), 2, {}) : QString(), stale);
     else
         setValue(SpeedValue, Formatter::unknown(), tr("one look"), true);
     const Bearing course = Bearing::radians(std::atan2(velocity.y(), velocity.x()));
@@ -206,7 +194,7 @@ void TargetCard::showTrack(const Track& track, const Scene& scene) {
     facts_[Looks]->setText(tr("%1 with an echo · %2 missed since").arg(track.looks).arg(track.misses));
     facts_[Likeness]->setText(Formatter::probability(track.score));
     facts_[Consistency]->setText(Formatter::number(track.nis, 2));
-    setName(*facts_[Consistency], track.nis > nis_limit ? "refusal" : "value");
+    setName(*facts_[Consistency], track.nis > nis_limit ? "refusal" : "fact");
     const std::size_t particles = track.particles.weight.size();
     facts_[Particles]->setText(
         particles > 0

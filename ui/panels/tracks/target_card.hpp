@@ -38,8 +38,6 @@ private:
     void showValues(const Track& track, const Scene& scene);
     void showComparisons(const Track& track);
     void setValue(ValueName name, const QString& value, const QString& detail, bool stale);
-    void changeEvent(QEvent* event) override;
-    void sizeTexts();
 
     std::array<Value, ValueCount> values_{};
     std::array<Comparison, ComparisonCount> comparisons_{};

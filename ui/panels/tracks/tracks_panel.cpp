@@ -83,6 +83,11 @@ void TracksPanel::sizeTable() {
         const QString title = model_.headerData(column, Qt::Horizontal).toString();
         head.resizeSection(column, std::max(text.horizontalAdvance(title), text.horizontalAdvance("000.0")) + pad);
     }
+    // Room for every figure and for the longest word of a state.
+    int width = text.horizontalAdvance(stateWord(TrackState::Confirmed)) + pad;
+    for (int column = 0; column < TrackModel::ColumnCount; ++column)
+        if (column != TrackModel::State) width += head.sectionSize(column);
+    table_->setMinimumWidth(width);
     head.setSectionResizeMode(TrackModel::State, QHeaderView::Stretch);
 }
 
