@@ -14,7 +14,7 @@ namespace echotrail {
 /// Hands: a left click (pressed and let go at one place) on something within range designates it: the nearest track,
 /// else the nearest region, else the place itself. Ctrl+click only selects a track, to read its card. It is safe
 /// because nothing is lost by it: every track lives on, and clearing the designation takes it back. A drag moves the
-/// picture and never designates; nor does a click while measuring, on a badge, beyond the range or where the sonar
+/// picture and never designates; nor does a click while measuring, beyond the range or where the sonar
 /// has not looked. The wheel zooms about the cursor; the middle button or a double click beyond the range fit the
 /// picture again. Esc puts the measure away.
 class FanView : public QWidget {
