@@ -115,6 +115,7 @@ Region measureRegion(const RegionPixels& region, const FanImage& picture, Timest
 
 void seenFromHead(Region& region, const RegionPixels& pixels, const FanImage& picture, const Pose& head) {
     const double north = region.position_m.x() - head.north_m, east = region.position_m.y() - head.east_m;
+    region.head = head;
     region.range_m = std::hypot(north, east);
     const double azimuth = std::atan2(east, north);
     region.bearing = Bearing::radians(azimuth - head.heading.inRadians());

@@ -20,7 +20,7 @@ constexpr std::size_t longest_history = 64;
 
 /// Covariance of a region's centroid in the local frame: range and bearing deviations, turned.
 Eigen::Matrix2d Tracker::measurementCovariance(const Region& region) const {
-    const Eigen::Vector2d sight = region.position_m - Eigen::Vector2d(beam_.head.north_m, beam_.head.east_m);
+    const Eigen::Vector2d sight = region.position_m - Eigen::Vector2d(region.head.north_m, region.head.east_m);
     const double range = std::max(sight.norm(), 0.1);
     const Eigen::Vector2d along = sight / range, across(-along.y(), along.x());
     const double along_sigma = params_.tracking.range_sigma_m;
@@ -152,7 +152,8 @@ void Tracker::completePass(FollowedTrack& followed, const std::vector<std::size_
 
     const bool still_lost = was_lost && followed.track.state == TrackState::Lost;
     if (result != LookResult::NotLookedAt && !still_lost) {
-        looks.push_back(lookOf(followed, time, seen, followed.pass.nearestHead()));
+        const Pose& head = seen ? pending_[regions[best]].region.head : followed.pass.nearestHead();
+        looks.push_back(lookOf(followed, time, seen, head));
         auto& history = followed.track.history;
         if (history.size() == longest_history) history.erase(history.begin());
         history.push_back(looks.back());

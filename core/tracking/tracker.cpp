@@ -220,7 +220,7 @@ void Tracker::bear(const Region& region, std::vector<TrackLook>& looks) {
     track.expected_features = born.reference.expected(geometryAt(region.range_m));
     followed_.push_back(std::move(born));
     applyDesignation();
-    looks.push_back(lookOf(followed_.back(), region.time, true, beam_.head));
+    looks.push_back(lookOf(followed_.back(), region.time, true, region.head));
     followed_.back().track.history.push_back(looks.back());
 }
 

@@ -113,6 +113,22 @@ TEST(ScanningSonarPipeline, VehicleMotionIsTakenOut) {
     }
 }
 
+TEST(ScanningSonarPipeline, RangesAndBearingsAreFromWhereTheHeadWasAtTheLook) {
+    // The vehicle goes north at 1 m/s past a target that stands still, 30 m ahead and 5 m to the east at first.
+    PoseHistory navigation;
+    for (int i = 0; i <= 400; ++i) navigation.add({Timestamp(microsecondsFromSeconds(i * 0.1)), {i * 0.1, 0, {}}});
+    std::vector<Ping> pings = scanOf(30, 5, -1.0, 220);
+    int seen = 0;
+    for (const TrackLook& look : run(pings, {}, navigation)) {
+        const Pose head = *navigation.at(look.time, 1.0);
+        const double north = look.position_m.x() - head.north_m, east = look.position_m.y() - head.east_m;
+        EXPECT_NEAR(look.range_m, std::hypot(north, east), 0.11) << look.seen;
+        EXPECT_NEAR(look.bearing.inDegrees(), degreesFromRadians(std::atan2(east, north)), 0.5) << look.seen;
+        seen += look.seen;
+    }
+    EXPECT_GE(seen, 3);
+}
+
 TEST(ScanningSonarPipeline, PingWithUnknownBearingIsDroppedAndCounted) {
     auto pings = scanOf(30, 5, 0, 60);
     pings[30].motor_lost_sync = true;
