@@ -11,9 +11,10 @@ namespace echotrail {
 namespace {
 
 constexpr std::uint64_t flank_pings = EchoScreen::closing_pings;
-constexpr double flank_m = 1.0;             // of the tile beyond the strong cells
-constexpr double pixels_per_range = 400.0;  // as the fan: a pixel is a 400th of the range scale
-constexpr double same_peak_s = 2.0;         // two candidates that touch show the same region within this time
+constexpr double flank_m = 1.0;  // of the tile beyond the strong cells
+constexpr double pixels_per_range =
+    400.0;                           // of the tiles, whatever the display's fan has: regions must not depend on it
+constexpr double same_peak_s = 2.0;  // two candidates that touch show the same region within this time
 constexpr double multipath_near_m = 0.2, multipath_far_m = 3.0, multipath_weaker_db = 6.0;
 
 int levelsFromDb(double db) { return static_cast<int>(std::lround(db * levels_per_db)); }
@@ -84,7 +85,7 @@ void RegionFinder::growRegions(const Candidate& candidate, std::vector<Region>& 
     const double near_m = candidate.first_cell * cell_m, far_m = (candidate.last_cell + 1) * cell_m;
     if (!layTile(first, last, std::max(near_m - flank_m, 0.0), far_m + flank_m)) return;
     paintTile(first, last, std::max(near_m - flank_m, 0.0), far_m + flank_m);
-    smoothGaussian(tile_.levels);
+    smoothGaussian(tile_.levels, params_.smoothing);
 
     const double lowering = candidate.of_interest ? params_.screen.interest_lowering_db : 0.0;
     const int seed_excess = std::max(levelsFromDb(params_.screen.seed_excess_db - lowering), 1);

@@ -5,6 +5,7 @@
 #include "core/detection/echo_conditioner.hpp"
 #include "core/detection/echo_screen.hpp"
 #include "core/detection/region_grower.hpp"
+#include "core/imaging/filters.hpp"
 #include "core/imaging/ray.hpp"
 
 #include <cstdint>
@@ -18,13 +19,14 @@ namespace echotrail {
 struct RegionFinderParams {
     EchoConditionerParams conditioner;
     EchoScreenParams screen;
+    GaussianParams smoothing;
     RegionGrowerParams grower;
 };
 
 template <>
 struct Described<RegionFinderParams> {
     using P = RegionFinderParams;
-    static constexpr auto stages = std::tuple{&P::conditioner, &P::screen, &P::grower};
+    static constexpr auto stages = std::tuple{&P::conditioner, &P::screen, &P::smoothing, &P::grower};
 };
 
 /// From echo lines to regions, as soon as the beam has left them: the screen says where something strong was; just

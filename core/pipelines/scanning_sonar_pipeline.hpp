@@ -10,7 +10,7 @@
 #include "core/detection/echo_screen.hpp"
 #include "core/detection/region_grower.hpp"
 #include "core/imaging/fan_projector.hpp"
-#include "core/imaging/filters.hpp"
+#include "core/imaging/local_enhancement.hpp"
 #include "core/pipelines/region_finder.hpp"
 #include "core/pipelines/sweep_follower.hpp"
 #include "core/tracking/tracker.hpp"
@@ -42,6 +42,7 @@ public:
         HeadSettings head;
         NavigationParams navigation;
         FanProjector::Params fan;
+        LocalEnhancementParams enhancement;  ///< for the eye; the pipeline itself does not use it
         RegionFinderParams regions;
         Tracker::Params tracker;
     };
@@ -102,7 +103,8 @@ private:
 template <>
 struct Described<ScanningSonarPipeline::Params> {
     using P = ScanningSonarPipeline::Params;
-    static constexpr auto stages = std::tuple{&P::head, &P::navigation, &P::fan, &P::regions, &P::tracker};
+    static constexpr auto stages =
+        std::tuple{&P::head, &P::navigation, &P::fan, &P::enhancement, &P::regions, &P::tracker};
 };
 
 }  // namespace echotrail

@@ -161,7 +161,7 @@ Scene ReplayPlayer::scene() const {
     scene.counts = counts_;
     scene.navigation_known = !source_->navigation().empty();
     scene.at_end = at_end_;
-    if (enhanced_) scene.enhanced = enhanceLocally(scene.fan, {});
+    if (enhanced_) scene.enhanced = enhanceLocally(scene.fan, pipeline_->params().enhancement);
     return scene;
 }
 
