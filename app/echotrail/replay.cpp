@@ -7,7 +7,6 @@
 
 #include <opencv2/core/utility.hpp>
 
-#include <cmath>
 #include <csignal>
 #include <thread>
 
@@ -143,9 +142,14 @@ ExitCode conclude(const nlohmann::ordered_json& summary, TracksWriter* tracks) {
         if (!std::cout) return fail(ExitCode::Failed, "cannot write standard output: it takes no more");
     }
     const auto lost = summary["lost_records"].get<std::uint64_t>();
-    if (lost == 0) return ExitCode::Done;
-    return fail(ExitCode::Lossy, std::to_string(lost) + " records of " + summary["source"].get<std::string>() +
-                                     " were lost: " + summary["rejected"].dump());
+    const bool navigation_rejected = !summary["navigation"].value("rejected", nlohmann::ordered_json::object()).empty();
+    const auto unsynchronised = summary["unsynchronised_pings"].get<std::uint64_t>();
+    if (lost == 0 && summary["rejected"].empty() && !navigation_rejected && unsynchronised == 0) return ExitCode::Done;
+    std::string what = std::to_string(lost) + " records of " + summary["source"].get<std::string>() +
+                       " were lost: " + summary["rejected"].dump();
+    if (unsynchronised > 0) what += "; " + std::to_string(unsynchronised) + " pings without a sure bearing";
+    if (navigation_rejected) what += "; navigation lines rejected: " + summary["navigation"]["rejected"].dump();
+    return fail(ExitCode::Lossy, what);
 }
 
 ExitCode replay(const ReplayArguments& arguments) {

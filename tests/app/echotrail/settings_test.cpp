@@ -129,6 +129,11 @@ TEST(Navigation, OfAFilePlacesTracksFromWhereTheVehicleWasAtTheFirstPing) {
     const auto summary = nlohmann::json::parse(all.back())["summary"];
     EXPECT_EQ(summary["pings_without_pose"], 0);
     EXPECT_EQ(run({"replay", log, "--navigation", folder.path("none.nmea")}).exit_code, 1);
+    // A line that is damaged is rejected, and that is said.
+    const auto damaged =
+        run({"replay", log, "--navigation", folder.write("damaged.nmea", lines + "$HEHDT,90.0,T*00\r\n")});
+    EXPECT_EQ(damaged.exit_code, 3);
+    EXPECT_NE(damaged.errors.find("navigation lines rejected"), std::string::npos) << damaged.errors;
 }
 
 }  // namespace
