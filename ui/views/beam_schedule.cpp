@@ -55,7 +55,7 @@ Sector sectorToFit(const Scene& scene) {
     return sector;
 }
 
-bool headingKnown(const Scene& scene) { return scene.latest.pose != Pose{}; }
+bool headingKnown(const Scene& scene) { return scene.navigation_known; }
 
 std::optional<double> secondsToNextLook(const Scene& scene, Bearing from_bow) {
     const Sector sector = sectorOf(scene);

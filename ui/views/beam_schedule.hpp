@@ -14,7 +14,7 @@ Sector sectorOf(const Scene& scene);
 /// jumps with every ping.
 Sector sectorToFit(const Scene& scene);
 
-/// Whether the scene knows which way north is: without navigation every pose is the identity.
+/// Whether the scene knows which way north is.
 bool headingKnown(const Scene& scene);
 
 /// Seconds until the beam meets a bearing again, from the pace of the last sweep; none before there was one, or where

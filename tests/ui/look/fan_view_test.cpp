@@ -111,6 +111,7 @@ TEST_F(FanViewTest, AnEchoAheadIsUpAndOneToStarboardIsRight) {
 TEST_F(FanViewTest, HeadUpTurnsTheGroundAndNorthUpDoesNot) {
     Scene scene = echoScene();
     scene.latest.pose.heading = Bearing::degrees(20.0);
+    scene.navigation_known = true;
     test::brighten(scene.fan, 14.0, 0.0);
     view_.setLayers(onlyEchoes());
     view_.setEcho({EchoMap::Grey, 10.0, 60.0, 0.0});  // the sea stays dark, the echo bright

@@ -128,6 +128,7 @@ TEST(LayersPanel, NorthUpIsGreyAndSaysWhyWithoutAHeading) {
     panel.setScene(scene);
     EXPECT_FALSE(north_up->isEnabled());
     scene.latest.pose.heading = Bearing::degrees(20.0);
+    scene.navigation_known = true;
     panel.setScene(scene);
     EXPECT_TRUE(north_up->isEnabled());
 }
