@@ -39,14 +39,13 @@ struct Described<EchoConditionerParams> {
 /// The background is the median along the echo line, not over a square of the picture: another sounder fills a
 /// line, and would otherwise look like a bright target. Where every bearing shows the same at a range, that is
 /// background too (a slowly followed median over bearings): it takes out the ring-down after transmission.
-/// Order: pings in time order. State: the median over bearings; reset() forgets it.
+/// Order: pings in time order. State: the median over bearings.
 class EchoConditioner {
 public:
     static constexpr int max_cells = 400;
 
     explicit EchoConditioner(const EchoConditionerParams& params) : params_(params) {}
     void setParams(const EchoConditionerParams& params) { params_ = params; }
-    void reset() { pings_ = 0; }
 
     void condition(const Ping& ping, EchoRow& row);
 

@@ -16,14 +16,8 @@ bool touches(int first_a, int last_a, int first_b, int last_b) {
 
 }  // namespace
 
-void EchoScreen::reset() {
-    rows_ = 0;
-    open_.clear();
-}
-
 void EchoScreen::findRuns(const EchoRow& row, std::span<const RangeOfInterest> interests) {
-    constexpr int never =
-        255;  // an excess that no echo reaches, as the background is at least 0 and 255 must exceed it
+    constexpr int never = 255;  // marks cells that are not looked at
     const int cells = static_cast<int>(row.level.size());
     const auto cellAt = [&](double range_m) {
         return std::clamp(static_cast<int>(std::floor(range_m / cell_m_)), 0, cells);

@@ -62,8 +62,6 @@ public:
     void add(const EchoRow& row, std::span<const RangeOfInterest> interests, std::vector<Candidate>& closed);
     /// Completes all that is open.
     void endSweep(std::vector<Candidate>& closed);
-    /// Forgets everything, as if just constructed.
-    void reset();
 
     /// Whether the beam is still on something between these ranges.
     bool isOpenWithin(double near_m, double far_m) const;
