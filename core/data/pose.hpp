@@ -1,10 +1,10 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "core/base/angles.hpp"
 #include "core/base/time.hpp"
+
+#include <optional>
+#include <vector>
 
 namespace echotrail {
 
@@ -32,8 +32,10 @@ public:
     bool empty() const { return samples_.empty(); }
     std::size_t refused() const { return refused_; }
 
-    /// The pose at `time`. Before the first and after the last sample the nearest one holds; empty if the nearest
-    /// samples are further apart than `max_gap_s` from `time` (a navigation gap). Identity when there is no navigation.
+    /// The pose at `time`, interpolated between neighbours that both lie within `max_gap_s` of it; where only one does,
+    /// or there is only one, that one holds; empty where none does (a navigation gap). So a sample later than
+    /// `time + max_gap_s` changes nothing: who waits that long gets what the whole history would give.
+    /// Identity when there is no navigation.
     std::optional<Pose> at(Timestamp time, double max_gap_s) const;
 
 private:

@@ -1,7 +1,7 @@
+#include "core/data/pose.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "core/data/pose.hpp"
 
 namespace echotrail {
 
@@ -25,6 +25,8 @@ std::optional<Pose> PoseHistory::at(Timestamp time, double max_gap_s) const {
     const TimedPose& a = *(after - 1);
     const TimedPose& b = *after;
     if (!near_enough(a) && !near_enough(b)) return std::nullopt;
+    if (!near_enough(a)) return b.pose;
+    if (!near_enough(b)) return a.pose;
     const double u = secondsBetween(a.time, time) / secondsBetween(a.time, b.time);
     return Pose{a.pose.north_m + u * (b.pose.north_m - a.pose.north_m),
                 a.pose.east_m + u * (b.pose.east_m - a.pose.east_m),

@@ -32,6 +32,14 @@ TEST(PoseHistory, SaysThereIsAGapRatherThanGuessing) {
     EXPECT_FALSE(history.at(at(-1), 0.3));
 }
 
+TEST(PoseHistory, IsNotChangedByASampleThatComesLaterThanTheGap) {
+    PoseHistory history;
+    history.add({at(0), {}});
+    const auto early = history.at(at(0.2), 0.3);
+    history.add({at(0.6), {10, 0, {}}});
+    EXPECT_EQ(history.at(at(0.2), 0.3), early);
+}
+
 TEST(PoseHistory, RefusesSamplesOutOfOrder) {
     PoseHistory history;
     history.add({at(1), {1, 0, {}}});
