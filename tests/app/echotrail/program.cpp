@@ -21,9 +21,11 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-Outcome run(const std::vector<std::string>& arguments) {
+Outcome run(const std::vector<std::string>& arguments) { return runProgram(ECHOTRAIL_PROGRAM, arguments); }
+
+Outcome runProgram(const std::string& program, const std::vector<std::string>& arguments) {
     const ScratchFolder scratch;
-    std::string command = "timeout 120 " + quoted(ECHOTRAIL_PROGRAM);
+    std::string command = "timeout 120 " + quoted(program);
     for (const std::string& argument : arguments) command += " " + quoted(argument);
     command += " >" + quoted(scratch.path("out")) + " 2>" + quoted(scratch.path("err")) + " </dev/null";
     const int status = std::system(command.c_str());

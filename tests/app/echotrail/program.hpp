@@ -15,6 +15,8 @@ struct Outcome {
 
 /// Runs echotrail with these arguments; it is ended after two minutes.
 Outcome run(const std::vector<std::string>& arguments);
+/// The same with another build of it.
+Outcome runProgram(const std::string& program, const std::vector<std::string>& arguments);
 
 /// A folder for one test's files, gone afterwards.
 class ScratchFolder {
