@@ -134,6 +134,22 @@ nlohmann::ordered_json tellNavigation(const std::optional<NavigationFile>& file,
     return {{"mode", "recorded with the pings"}};
 }
 
+/// What was lost or refused, for a person; nothing where all went well.
+std::string tellLosses(const nlohmann::ordered_json& summary) {
+    std::vector<std::string> parts;
+    const auto records = summary["lost_records"].get<std::uint64_t>();
+    if (records > 0) parts.push_back("records lost: " + std::to_string(records));
+    if (!summary["rejected"].empty()) parts.push_back("rejected: " + summary["rejected"].dump());
+    const auto pings = summary["unsynchronised_pings"].get<std::uint64_t>();
+    if (pings > 0) parts.push_back("pings without a sure bearing: " + std::to_string(pings));
+    const auto& navigation = summary["navigation"];
+    if (navigation.contains("rejected") && !navigation["rejected"].empty())
+        parts.push_back("navigation lines rejected: " + navigation["rejected"].dump());
+    std::string text;
+    for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+    return text;
+}
+
 ExitCode conclude(const nlohmann::ordered_json& summary, TracksWriter* tracks) {
     if (tracks) {
         if (const auto written = tracks->finish(summary); !written) return fail(ExitCode::Failed, written.error());
@@ -141,15 +157,9 @@ ExitCode conclude(const nlohmann::ordered_json& summary, TracksWriter* tracks) {
         std::cout << nlohmann::ordered_json{{"summary", summary}}.dump(2) << std::endl;
         if (!std::cout) return fail(ExitCode::Failed, "cannot write standard output: it takes no more");
     }
-    const auto lost = summary["lost_records"].get<std::uint64_t>();
-    const bool navigation_rejected = !summary["navigation"].value("rejected", nlohmann::ordered_json::object()).empty();
-    const auto unsynchronised = summary["unsynchronised_pings"].get<std::uint64_t>();
-    if (lost == 0 && summary["rejected"].empty() && !navigation_rejected && unsynchronised == 0) return ExitCode::Done;
-    std::string what = std::to_string(lost) + " records of " + summary["source"].get<std::string>() +
-                       " were lost: " + summary["rejected"].dump();
-    if (unsynchronised > 0) what += "; " + std::to_string(unsynchronised) + " pings without a sure bearing";
-    if (navigation_rejected) what += "; navigation lines rejected: " + summary["navigation"]["rejected"].dump();
-    return fail(ExitCode::Lossy, what);
+    const std::string losses = tellLosses(summary);
+    if (losses.empty()) return ExitCode::Done;
+    return fail(ExitCode::Lossy, summary["source"].get<std::string>() + ": " + losses);
 }
 
 ExitCode replay(const ReplayArguments& arguments) {

@@ -9,7 +9,7 @@
 namespace echotrail {
 
 /// Where the vehicle was and which way it faced, in the local frame: origin where it was at the first ping,
-/// north and east in metres, down positive. Without navigation it is the identity: the vehicle stands still and
+/// north and east in metres. Without navigation it is the identity: the vehicle stands still and
 /// north is the bow.
 struct Pose {
     double north_m = 0.0;

@@ -11,10 +11,9 @@ namespace echotrail {
 namespace {
 
 constexpr std::uint64_t flank_pings = EchoScreen::closing_pings;
-constexpr double flank_m = 1.0;  // of the tile beyond the strong cells
-constexpr double pixels_per_range =
-    400.0;                           // of the tiles, whatever the display's fan has: regions must not depend on it
-constexpr double same_peak_s = 2.0;  // two candidates that touch show the same region within this time
+constexpr double flank_m = 1.0;             // of the tile beyond the strong cells
+constexpr double pixels_per_range = 400.0;  // of the tiles: regions must not depend on the display's fan
+constexpr double same_peak_s = 2.0;         // two candidates that touch show the same region within this time
 constexpr double multipath_near_m = 0.2, multipath_far_m = 3.0, multipath_weaker_db = 6.0;
 
 int levelsFromDb(double db) { return static_cast<int>(std::lround(db * levels_per_db)); }

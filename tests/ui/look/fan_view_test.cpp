@@ -80,6 +80,11 @@ protected:
         return fitted(view_.scene()->latest.pose, view_.orientation(), sectorToFit(*view_.scene()), view_.rect(),
                       QMarginsF(44, 58, 44, 22));
     }
+    /// The sea stays dark, an echo bright.
+    void showOnlyBrightEchoes() {
+        view_.setLayers(onlyEchoes());
+        view_.setEcho({EchoMap::Grey, 10.0, 60.0, 0.0});
+    }
     void click(const QPointF& place, Qt::KeyboardModifiers keys = {}) {
         QTest::mouseClick(&view_, Qt::LeftButton, keys, place.toPoint());
     }
@@ -93,8 +98,7 @@ protected:
 TEST_F(FanViewTest, AnEchoAheadIsUpAndOneToStarboardIsRight) {
     Scene scene = echoScene();
     test::brighten(scene.fan, 14.0, 0.0);
-    view_.setLayers(onlyEchoes());
-    view_.setEcho({EchoMap::Grey, 10.0, 60.0, 0.0});  // the sea stays dark, the echo bright
+    showOnlyBrightEchoes();
     view_.setScene(shared(scene));
     const QPointF head = geometry().head_px;
     const QPointF ahead = brightSpot(pictureOf(view_), QRect(200, 150, 600, 400));
@@ -113,8 +117,7 @@ TEST_F(FanViewTest, HeadUpTurnsTheGroundAndNorthUpDoesNot) {
     scene.latest.pose.heading = Bearing::degrees(20.0);
     scene.navigation_known = true;
     test::brighten(scene.fan, 14.0, 0.0);
-    view_.setLayers(onlyEchoes());
-    view_.setEcho({EchoMap::Grey, 10.0, 60.0, 0.0});  // the sea stays dark, the echo bright
+    showOnlyBrightEchoes();
     view_.setScene(shared(scene));
     const QPointF turned = brightSpot(pictureOf(view_), QRect(120, 150, 700, 450));
     EXPECT_NEAR(degreesFromRadians(geometry().bearingOf(turned).inRadians()), -20.0, 0.3);
@@ -129,7 +132,6 @@ TEST_F(FanViewTest, AnOldBeamIsDarkerButNeverByMoreThanTheFade) {
     Scene scene = test::bareScene();
     scene.fan = test::greyFan(200);
     view_.setLayers(onlyEchoes());
-    view_.setEcho({EchoMap::Grey, 10.0, 60.0, 0.0});  // the sea stays dark, the echo bright
     view_.setEcho({EchoMap::Grey, 0.0, 80.0, most_fade});
     view_.setScene(shared(scene));
     const QImage picture = pictureOf(view_);
@@ -248,8 +250,7 @@ TEST_F(FanViewTest, ADragAMeasureOrAClickBeyondTheRangeDesignatesNothing) {
 TEST_F(FanViewTest, TheWheelKeepsThePlaceUnderTheCursor) {
     Scene scene = echoScene();
     test::brighten(scene.fan, 14.0, 3.0);
-    view_.setLayers(onlyEchoes());
-    view_.setEcho({EchoMap::Grey, 10.0, 60.0, 0.0});  // the sea stays dark, the echo bright
+    showOnlyBrightEchoes();
     view_.setScene(shared(scene));
     const QPointF place = geometry().toScreen(14.0, 3.0);
     QWheelEvent event(place, view_.mapToGlobal(place), {}, {0, 360}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,

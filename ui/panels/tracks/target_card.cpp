@@ -20,8 +20,9 @@ constexpr double least_moving_mps = 0.05;
 
 QString plusMinus(double value, int decimals, const QString& unit) {
     if (!std::isfinite(value)) return {};
+    const bool degrees = unit == QChar(0xb0);  // the only unit that follows its number without a space
     return QChar(0xb1) +
-           (unit.isEmpty() ? Formatter::number(value, decimals) : Formatter::withUnit(value, decimals, unit));
+           (degrees ? Formatter::number(value, decimals) + unit : Formatter::withUnit(value, decimals, unit));
 }
 
 /// Deviation of a plane Gaussian in a direction.
@@ -144,7 +145,7 @@ void TargetCard::showValues(const Track& track, const Scene& scene) {
     const bool stale = track.state == TrackState::Lost;
     setValue(RangeValue, Formatter::range(range), plusMinus(deviationAlong(place, away), 2, "m"), stale);
     const double bearing_deg = degreesFromRadians(deviationAlong(place, across) / std::max(range, 0.1));
-    setValue(BearingValue, Formatter::relativeBearing(from_bow), plusMinus(bearing_deg, 1, {}) + QChar(0xb0), stale);
+    setValue(BearingValue, Formatter::relativeBearing(from_bow), plusMinus(bearing_deg, 1, QChar(0xb0)), stale);
     const double age = secondsBetween(track.last_seen, scene.latest.time);
     setValue(AgeValue, Formatter::age(age), {}, stale);
     const Eigen::Vector2d velocity = track.estimate.mean.tail<2>();
@@ -153,7 +154,7 @@ void TargetCard::showValues(const Track& track, const Scene& scene) {
     const Eigen::Matrix2d velocity_spread = track.estimate.covariance.bottomRightCorner<2, 2>();
     if (track.looks > 1)
         setValue(SpeedValue, Formatter::speed(speed),
-                 moving ? plusMinus(deviationAlong(velocity_spread, velocity / speed), 2, {}) : QString(), stale);
+                 moving ? plusMinus(deviationAlong(velocity_spread, velocity / speed), 2, "m/s") : QString(), stale);
     else
         setValue(SpeedValue, Formatter::unknown(), tr("one look"), true);
     const Bearing course = Bearing::radians(std::atan2(velocity.y(), velocity.x()));
