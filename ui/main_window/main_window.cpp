@@ -33,7 +33,6 @@ namespace {
 
 constexpr int readout_interval_ms = 250;  // numbers change four times a second at most
 constexpr int slow_opening_ms = 300;      // a quick one says nothing, so that the picture does not jump
-constexpr int layout_version = 1;
 
 }  // namespace
 

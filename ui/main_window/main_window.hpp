@@ -92,6 +92,7 @@ private:
     bool getting_brighter_ = false;
     QElapsedTimer readouts_;
     std::vector<QAction*> need_source_;  ///< grey without a recording
+    static constexpr int layout_version = 1;  ///< of what is saved: another one is not restored
     QByteArray first_layout_;
     QMenu* recent_menu_ = nullptr;
     QStackedWidget* centre_ = nullptr;

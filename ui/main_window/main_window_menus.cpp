@@ -233,7 +233,7 @@ void MainWindow::nextTheme() {
 }
 
 void MainWindow::resetLayout() {
-    restoreState(first_layout_, 1);
+    restoreState(first_layout_, layout_version);
     for (QDockWidget* dock : {layers_dock_, tracks_dock_, parameters_dock_, time_line_dock_}) dock->show();
 }
 
