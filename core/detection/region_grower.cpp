@@ -13,6 +13,7 @@ namespace echotrail {
 namespace {
 
 constexpr int seed_radius = 3;         // a seed is the maximum of its 7×7 neighbourhood
+constexpr int seed_block = 64;         // pixels looked at together in the search for seeds
 constexpr double ring_radius_m = 2.0;  // what a peak inside a clutter mass is compared with
 
 int levelsFromDb(double db) { return static_cast<int>(std::lround(db * levels_per_db)); }
@@ -27,36 +28,32 @@ double squaredDistance(double row_a, double column_a, double row_b, double colum
     return (row_a - row_b) * (row_a - row_b) + (column_a - column_b) * (column_a - column_b);
 }
 
-struct Centre {
-    double row = 0, column = 0;
-};
-Centre centreOf(const RegionPixels& region) {
-    Centre centre;
-    for (const RegionPixel& pixel : region.pixels) {
-        centre.row += pixel.row;
-        centre.column += pixel.column;
-    }
-    const auto n = static_cast<double>(region.pixels.size());
-    return {centre.row / n, centre.column / n};
-}
-
-struct Box {
+/// Where a region lies: what merging asks first, and often enough.
+struct Extent {
+    double row = 0, column = 0;  ///< of its centre
     int top = INT16_MAX, bottom = INT16_MIN, left = INT16_MAX, right = INT16_MIN;
 };
-Box boxOf(const RegionPixels& region) {
-    Box box;
+Extent extentOf(const RegionPixels& region) {
+    Extent extent;
     for (const RegionPixel& pixel : region.pixels) {
-        box.top = std::min<int>(box.top, pixel.row);
-        box.bottom = std::max<int>(box.bottom, pixel.row);
-        box.left = std::min<int>(box.left, pixel.column);
-        box.right = std::max<int>(box.right, pixel.column);
+        extent.row += pixel.row;
+        extent.column += pixel.column;
+        extent.top = std::min<int>(extent.top, pixel.row);
+        extent.bottom = std::max<int>(extent.bottom, pixel.row);
+        extent.left = std::min<int>(extent.left, pixel.column);
+        extent.right = std::max<int>(extent.right, pixel.column);
     }
-    return box;
+    const auto n = static_cast<double>(region.pixels.size());
+    extent.row /= n;
+    extent.column /= n;
+    return extent;
 }
 
 /// Whether any two pixels are within `gap` pixels of each other.
-bool within(const RegionPixels& a, const RegionPixels& b, double gap) {
-    const Box box = boxOf(b);
+bool within(const RegionPixels& a, const Extent& around_a, const RegionPixels& b, const Extent& box, double gap) {
+    if (around_a.top > box.bottom + gap || around_a.bottom < box.top - gap || around_a.left > box.right + gap ||
+        around_a.right < box.left - gap)
+        return false;
     for (const RegionPixel& p : a.pixels) {
         if (p.row < box.top - gap || p.row > box.bottom + gap || p.column < box.left - gap ||
             p.column > box.right + gap)
@@ -75,24 +72,23 @@ std::vector<RegionPixels> RegionGrower::operator()(const FanImage& picture, cons
     assert(picture.levels.cols <= INT16_MAX && picture.levels.rows <= INT16_MAX);
     picture_ = picture;
     cv::subtract(picture.levels, background, excess_);
-    labels_.create(picture.levels.size(), CV_32S);
-    labels_.setTo(0);
-    findSeeds(std::max(seed_excess, 1));
+    taken_.create(picture.levels.size(), CV_8U);
+    taken_.setTo(0);
+    seed_excess_ = std::max(seed_excess, 1);
 
     const Limits limits{levelsFromDb(params_.grow_excess_db), levelsFromDb(params_.peak_drop_db),
                         levelsFromDb(params_.deviation_floor_db), levelsFromDb(params_.edge_db_per_pixel)};
     const double max_pixels = params_.max_area_m2 / (picture.pixel_m * picture.pixel_m);
     std::vector<RegionPixels> regions;
-    std::uint32_t label = 0;
-    for (const Seed& seed : seeds_)
-        if (labels_.at<std::int32_t>(seed.row, seed.column) == 0) regions.push_back(grow(seed, limits, ++label));
+    for (const RegionPixel& seed : seedCandidates())
+        if (!taken(seed.row, seed.column) && isPeak(seed)) regions.push_back(grow(seed, limits));
     merge(regions);
 
     std::vector<RegionPixels> inside;
     for (RegionPixels& region : regions) {
         region.clutter_mass = static_cast<double>(region.pixels.size()) > max_pixels;
         if (!region.clutter_mass) continue;
-        for (RegionPixels& found : reseed(region, label)) inside.push_back(std::move(found));
+        for (RegionPixels& found : reseed(region)) inside.push_back(std::move(found));
     }
     std::move(inside.begin(), inside.end(), std::back_inserter(regions));
     std::erase_if(regions,
@@ -102,26 +98,43 @@ std::vector<RegionPixels> RegionGrower::operator()(const FanImage& picture, cons
     return regions;
 }
 
-void RegionGrower::findSeeds(int seed_excess) {
-    seeds_.clear();
-    const cv::Mat& levels = picture_.levels;
-    const auto isPeak = [&](int row, int column, int level) {
-        for (int r = std::max(row - seed_radius, 0); r <= std::min(row + seed_radius, levels.rows - 1); ++r) {
-            const std::uint8_t* line = levels.ptr(r);
-            for (int c = std::max(column - seed_radius, 0); c <= std::min(column + seed_radius, levels.cols - 1); ++c)
-                if (line[c] > level) return false;
-        }
-        return true;
-    };
-    for (int row = 0; row < levels.rows; ++row) {
+/// All pixels that stand out by the seed's excess, the strongest first. Whether one is a peak is asked when its turn
+/// comes: by then most lie in a region already.
+const std::vector<RegionPixel>& RegionGrower::seedCandidates() {
+    by_level_.resize(256);
+    for (auto& places : by_level_) places.clear();
+    for (int row = 0; row < excess_.rows; ++row) {
         const std::uint8_t* excess = excess_.ptr(row);
-        for (int column = 0; column < levels.cols; ++column) {
-            if (excess[column] < seed_excess) continue;
-            const int level = levels.ptr(row)[column];
-            if (isPeak(row, column, level)) seeds_.push_back({level, row, column});
+        const std::uint8_t* level = picture_.levels.ptr(row);
+        for (int block = 0; block < excess_.cols; block += seed_block) {
+            const int end = std::min(block + seed_block, excess_.cols);
+            // Most of a picture is background: blocks without a seed are passed over at vector speed.
+            std::uint8_t highest = 0;
+            for (int column = block; column < end; ++column) highest = std::max(highest, excess[column]);
+            if (highest < seed_excess_) continue;
+            for (int column = block; column < end; ++column)
+                if (excess[column] >= seed_excess_)
+                    by_level_[level[column]].push_back({static_cast<std::int16_t>(row),
+                                                        static_cast<std::int16_t>(column), level[column],
+                                                        excess[column]});
         }
     }
-    std::stable_sort(seeds_.begin(), seeds_.end(), [](const Seed& a, const Seed& b) { return a.level > b.level; });
+    candidates_.clear();
+    for (auto places = by_level_.rbegin(); places != by_level_.rend(); ++places)
+        candidates_.insert(candidates_.end(), places->begin(), places->end());
+    return candidates_;
+}
+
+bool RegionGrower::isPeak(const RegionPixel& pixel) const {
+    const cv::Mat& levels = picture_.levels;
+    const int left = std::max(pixel.column - seed_radius, 0);
+    const int right = std::min(pixel.column + seed_radius, levels.cols - 1);
+    for (int r = std::max(pixel.row - seed_radius, 0); r <= std::min(pixel.row + seed_radius, levels.rows - 1); ++r) {
+        const std::uint8_t* line = levels.ptr(r);
+        for (int c = left; c <= right; ++c)
+            if (line[c] > pixel.level) return false;
+    }
+    return true;
 }
 
 /// Squared central-difference gradient, in (2 levels per pixel)²; outside the picture its edge repeats.
@@ -153,12 +166,12 @@ bool RegionGrower::isBoundary(int row, int column, int edge) const {
 }
 
 /// Takes in the strongest waiting neighbour first; `limits` are the growth rules of the method card, section d.
-RegionPixels RegionGrower::grow(const Seed& seed, const Limits& limits, std::uint32_t label) {
+RegionPixels RegionGrower::grow(const RegionPixel& seed, const Limits& limits) {
     const cv::Mat& levels = picture_.levels;
     queue_.resize(256);
     int top = seed.level;
     const auto push = [&](int row, int column) {
-        labels_.at<std::int32_t>(row, column) = static_cast<std::int32_t>(label);
+        taken(row, column) = 1;
         const int level = levels.ptr(row)[column];
         queue_[level].push_back(static_cast<std::uint32_t>(row) << 16 | static_cast<std::uint32_t>(column));
         top = std::max(top, level);
@@ -197,10 +210,10 @@ RegionPixels RegionGrower::grow(const Seed& seed, const Limits& limits, std::uin
         if (n > 1 && isBoundary(row, column, limits.edge)) continue;
         for (int r = std::max(row - 1, 0); r <= std::min(row + 1, levels.rows - 1); ++r)
             for (int c = std::max(column - 1, 0); c <= std::min(column + 1, levels.cols - 1); ++c)
-                if (labels_.at<std::int32_t>(r, c) == 0) push(r, c);
+                if (!taken(r, c)) push(r, c);
     }
     for (const std::uint32_t place : refused)
-        labels_.at<std::int32_t>(static_cast<int>(place >> 16), static_cast<int>(place & 0xFFFF)) = 0;
+        taken(static_cast<int>(place >> 16), static_cast<int>(place & 0xFFFF)) = 0;
     region.peak = region.pixels.front();
     return region;
 }
@@ -223,17 +236,21 @@ void RegionGrower::merge(std::vector<RegionPixels>& regions) const {
     const double gap = params_.merge_gap_m / picture_.pixel_m + 1.0;  // neighbours are one pixel apart without a gap
     const double distance = params_.merge_distance_m / picture_.pixel_m;
     const int saddle = levelsFromDb(params_.merge_saddle_db);
+    std::vector<Extent> extents;
+    for (const RegionPixels& region : regions) extents.push_back(extentOf(region));
     for (std::size_t i = 0; i < regions.size(); ++i) {
         for (std::size_t j = i + 1; j < regions.size(); ++j) {
             const int lower_peak = std::min(regions[i].peak.level, regions[j].peak.level);
-            const Centre a = centreOf(regions[i]), b = centreOf(regions[j]);
+            const Extent &a = extents[i], &b = extents[j];
             const bool near = squaredDistance(a.row, a.column, b.row, b.column) <= distance * distance;
-            if (!near && !within(regions[i], regions[j], gap)) continue;
+            if (!near && !within(regions[i], a, regions[j], b, gap)) continue;
             if (saddleLevel(regions[i], regions[j]) < lower_peak - saddle) continue;
             auto& into = regions[i].pixels;
             into.insert(into.end(), regions[j].pixels.begin(), regions[j].pixels.end());
             if (strongerFirst(regions[j].peak, regions[i].peak)) regions[i].peak = regions[j].peak;
+            extents[i] = extentOf(regions[i]);
             regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(j));
+            extents.erase(extents.begin() + static_cast<std::ptrdiff_t>(j));
             j = i;  // the larger region may reach others now
         }
     }
@@ -256,20 +273,20 @@ int RegionGrower::ringLevel(int row, int column) const {
 }
 
 /// Peaks inside a clutter mass that stand out from it: each is grown again within half the contrast of its peak.
-std::vector<RegionPixels> RegionGrower::reseed(const RegionPixels& mass, std::uint32_t& label) {
+std::vector<RegionPixels> RegionGrower::reseed(const RegionPixels& mass) {
     const int contrast = levelsFromDb(params_.reseed_contrast_db);
     const Limits tight{levelsFromDb(params_.grow_excess_db), contrast / 2, levelsFromDb(params_.deviation_floor_db),
                        levelsFromDb(params_.edge_db_per_pixel)};
-    for (const RegionPixel& pixel : mass.pixels) labels_.at<std::int32_t>(pixel.row, pixel.column) = 0;
+    for (const RegionPixel& pixel : mass.pixels) taken(pixel.row, pixel.column) = 0;
     const double max_pixels = params_.max_area_m2 / (picture_.pixel_m * picture_.pixel_m);
+    std::vector<RegionPixel> pixels = mass.pixels;
+    std::sort(pixels.begin(), pixels.end(), strongerFirst);
     std::vector<RegionPixels> found;
-    for (const Seed& seed : seeds_) {
-        if (labels_.at<std::int32_t>(seed.row, seed.column) != 0) continue;
-        const bool inside = std::any_of(mass.pixels.begin(), mass.pixels.end(), [&](const RegionPixel& pixel) {
-            return pixel.row == seed.row && pixel.column == seed.column;
-        });
-        if (!inside || seed.level - ringLevel(seed.row, seed.column) < contrast) continue;
-        RegionPixels region = grow(seed, tight, ++label);
+    for (const RegionPixel& seed : pixels) {
+        if (seed.excess < seed_excess_ || taken(seed.row, seed.column) || !isPeak(seed) ||
+            seed.level - ringLevel(seed.row, seed.column) < contrast)
+            continue;
+        RegionPixels region = grow(seed, tight);
         if (static_cast<double>(region.pixels.size()) <= max_pixels) found.push_back(std::move(region));
     }
     return found;

@@ -62,26 +62,27 @@ public:
     std::vector<RegionPixels> operator()(const FanImage& picture, const cv::Mat& background, int seed_excess);
 
 private:
-    struct Seed {
-        int level, row, column;
-    };
     struct Limits {
         int grow_excess, peak_drop, deviation_floor, edge;
     };
-    void findSeeds(int seed_excess);
-    RegionPixels grow(const Seed& seed, const Limits& limits, std::uint32_t label);
+    const std::vector<RegionPixel>& seedCandidates();
+    bool isPeak(const RegionPixel& pixel) const;
+    RegionPixels grow(const RegionPixel& seed, const Limits& limits);
     bool isBoundary(int row, int column, int edge) const;
     int gradientSquared(int row, int column) const;
     void merge(std::vector<RegionPixels>& regions) const;
     int saddleLevel(const RegionPixels& a, const RegionPixels& b) const;
-    std::vector<RegionPixels> reseed(const RegionPixels& mass, std::uint32_t& label);
+    std::vector<RegionPixels> reseed(const RegionPixels& mass);
     int ringLevel(int row, int column) const;
+    std::uint8_t& taken(int row, int column) { return taken_.ptr(row)[column]; }
 
     RegionGrowerParams params_;
     FanImage picture_;
     cv::Mat excess_;
-    std::vector<Seed> seeds_;
-    cv::Mat labels_;                                 ///< 32-bit; 0 is free
+    int seed_excess_ = 1;
+    std::vector<std::vector<RegionPixel>> by_level_;
+    std::vector<RegionPixel> candidates_;
+    cv::Mat taken_;                                  ///< 8-bit; 0 is free, 1 waits or is in a region
     std::vector<std::vector<std::uint32_t>> queue_;  ///< pixels waiting, by level
 };
 
