@@ -50,7 +50,8 @@ void V4Log::readHeader(const RecordingOptions& options) {
         promised_records_ = 0;  // more than the file could ever have held: the count itself is damaged
     const std::uint64_t index = u32(header, 56);
     first_record_ = std::clamp<std::uint64_t>(u32(header, 40), header_bytes, file_.size());
-    records_end_ = index >= first_record_ && index <= file_.size() ? index : file_.size();
+    cut_before_index_ = index > file_.size();
+    records_end_ = isIndex(index) ? index : file_.size();
     const auto stored = storedSoundSpeed();
     info_.sound_speed_mps = options.sound_speed_mps.value_or(stored.value_or(options.default_sound_speed_mps));
     if (options.sound_speed_mps)
@@ -60,6 +61,16 @@ void V4Log::readHeader(const RecordingOptions& options) {
                                      : "the file stores no speed of sound: default");
     info_.notes.push_back("times are the recording PC's clock, taken as UTC");
     info_.notes.push_back("no navigation in the recording: the vehicle is taken to stand still");
+}
+
+/// The index tells where each scan record stands, so its first entry leads back to one; an offset of which that is not
+/// true is damaged, and believing it would cost every record behind it.
+bool V4Log::isIndex(std::uint64_t offset) {
+    if (offset < first_record_ || offset > file_.size()) return false;
+    const Bytes entry = file_.read(offset, 4);
+    if (promised_records_ == 0 || entry.size() < 4) return true;
+    const std::uint64_t first = u32(entry, 0);
+    return first >= first_record_ && first < offset && plausibleRecord(first);
 }
 
 /// The settings are a registry export; the speed of sound is eight hexadecimal bytes of a double under "VOS".
@@ -150,7 +161,10 @@ void V4Log::finish() {
         lose("cut_record");
     }
     const std::uint64_t accounted = scan_records_ + counts_.lost_records;
-    if (promised_records_ > accounted) lose("missing_record", promised_records_ - accounted);
+    if (promised_records_ > accounted)
+        lose("missing_record", promised_records_ - accounted);
+    else if (cut_before_index_ && counts_.lost_records == 0)
+        lose("missing_record");  // cut between two records: at least one is gone
 }
 
 /// Earlier than the line before it; or later than the line after it, which itself is not too early: then it is this

@@ -34,6 +34,7 @@ private:
         bool length_agrees = false;  ///< with what the scan line itself tells
     };
     void readHeader(const RecordingOptions& options);
+    bool isIndex(std::uint64_t offset);
     void survey();
     void describeHead();
     std::optional<Record> plausibleRecord(std::uint64_t offset);
@@ -51,6 +52,7 @@ private:
     PoseHistory no_navigation_;
     std::uint64_t first_record_ = 0;
     std::uint64_t records_end_ = 0;       ///< where the header says the index begins, or the end of the file
+    bool cut_before_index_ = false;       ///< the file ends before the place where its header says the index begins
     std::uint64_t promised_records_ = 0;  ///< scan records, as the header says
     std::uint64_t offset_ = 0;
     std::uint64_t sequence_ = 0;

@@ -151,6 +151,23 @@ TEST_F(SeanetProLog, WithoutItsIndexTheRecordsAreStillFound) {
     EXPECT_EQ(play(damaged).pings.size(), 312u);
 }
 
+TEST_F(SeanetProLog, CutBetweenTwoRecordsItIsNotTakenForWhole) {
+    // The header tells where the lines end and records of the head's settings begin; nothing but the settings is gone.
+    const auto settings = static_cast<std::ptrdiff_t>(seanet::u32(bytes_, 48));
+    ASSERT_EQ(static_cast<std::size_t>(settings), offsetOf(311) + record_bytes);
+    const Played played = play({bytes_.begin(), bytes_.begin() + settings});
+    EXPECT_EQ(played.pings.size(), 312u);
+    EXPECT_EQ(played.counts.lost_records, 1u);
+}
+
+TEST_F(SeanetProLog, AWrongPlaceOfTheIndexCostsNoLine) {
+    for (const std::size_t bit : {3U, 10U, 14U, 16U, 17U, 18U, 31U}) {
+        ByteVector damaged = bytes_;
+        damaged[56 + bit / 8] ^= static_cast<std::uint8_t>(1u << bit % 8);
+        EXPECT_EQ(play(damaged).pings.size(), 312u) << "bit " << bit;
+    }
+}
+
 TEST_F(SeanetProLog, ALongDamagedStretchIsSkippedWhole) {
     constexpr std::size_t stretch = 3'000'000;
     ByteVector damaged = bytes_;
