@@ -13,9 +13,7 @@ namespace echotrail {
 namespace {
 
 // The head and the water: method card, section i.
-constexpr int bins = 800;
-constexpr double sound_speed_mps = 1490.0;
-constexpr double frequency_hz = 325e3;
+constexpr HeadSetup usual_head;
 constexpr double rest_between_pings_s = 0.035;
 constexpr double beam_width_rad = radiansFromDegrees(3.0);    // θ_h, at half power
 constexpr double beam_height_rad = radiansFromDegrees(20.0);  // θ_v
@@ -28,7 +26,7 @@ constexpr double volume_strength_db = -75.0;
 constexpr double most_compensation_db = 80.0;                   // of the receiver's time-varied gain
 constexpr double level_zero_db = -60.0;                         // the scatterer that gives level 0 at 0 dB gain
 constexpr double lowest_grazing_rad = radiansFromDegrees(6.0);  // data of lower angles are mixed: no weaker than here
-constexpr double nominal_gain_percent = 40.0;
+constexpr double gain_db_per_percent = 0.8;
 constexpr double ring_down_m = 1.0;      // the transducer rings from full scale to nothing in this range
 constexpr double range_smear = 0.15;     // deviation of an object's echo in range, times its size
 constexpr double scintillation_s = 3.0;  // between independent strengths of an object
@@ -85,32 +83,32 @@ double scintillation(std::uint64_t seed, std::uint64_t object, double time_s) {
 /// How a ping meets a point at a place `positionAt(seconds since transmission)`: its range is that of the moment of
 /// the echo, half-way between transmission and reception; the beam turns with the vehicle between those two.
 template <class PositionAt>
-PointEcho meet(const Scenario& scenario, double ping_s, Bearing beam, const PositionAt& positionAt) {
+PointEcho meet(const Scenario& scenario, double ping_s, const HeadSetup& head, const PositionAt& positionAt) {
     const auto seenFrom = [&](double transmitted_s, double at_s) {
         const Pose vehicle = vehiclePose(scenario.vehicle, ping_s + at_s);
         const Eigen::Vector2d way = positionAt(transmitted_s) - Eigen::Vector2d(vehicle.north_m, vehicle.east_m);
         const double off_axis =
-            wrapRadians(std::atan2(way.y(), way.x()) - vehicle.heading.inRadians()) - beam.inRadians();
+            wrapRadians(std::atan2(way.y(), way.x()) - vehicle.heading.inRadians()) - head.bearing.inRadians();
         return std::pair(way.norm(), beamPattern(wrapRadians(off_axis), beam_width_rad));
     };
-    const double flight_s = seenFrom(0.0, 0.0).first / sound_speed_mps;
+    const double flight_s = seenFrom(0.0, 0.0).first / head.sound_speed;
     const double transmit = seenFrom(flight_s, 0.0).second;
     const double receive = seenFrom(flight_s, 2.0 * flight_s).second;
     return {.range_m = seenFrom(flight_s, flight_s).first, .power = twoWay(transmit, receive)};
 }
 
-std::vector<PointEcho> pointEchoes(const Scenario& scenario, std::uint64_t seed, double ping_s, Bearing beam) {
+std::vector<PointEcho> pointEchoes(const Scenario& scenario, std::uint64_t seed, double ping_s, const HeadSetup& head) {
     std::vector<PointEcho> echoes;
     for (const SimulatedTarget& target : scenario.targets) {
         PointEcho echo =
-            meet(scenario, ping_s, beam, [&](double t) { return targetMotion(target, ping_s + t).position_m; });
+            meet(scenario, ping_s, head, [&](double t) { return targetMotion(target, ping_s + t).position_m; });
         echo.power *= powerOf(target.strength_db) * scintillation(seed, echoes.size(), ping_s);
         echo.deviation_m = range_smear * target.size_m;
         echoes.push_back(echo);
     }
     for (const Debris& debris : scenario.debris) {
         PointEcho echo =
-            meet(scenario, ping_s, beam, [&](double) { return Eigen::Vector2d(debris.north_m, debris.east_m); });
+            meet(scenario, ping_s, head, [&](double) { return Eigen::Vector2d(debris.north_m, debris.east_m); });
         echo.power *= powerOf(debris.strength_db);
         echo.deviation_m = range_smear * debris.size_m;
         echoes.push_back(echo);
@@ -142,7 +140,7 @@ double backgroundPower(const Scenario& scenario, double range_m, double bin_m, d
 }  // namespace
 
 double pingInterval(const Scenario& scenario) {
-    return 2.0 * scenario.range_m / sound_speed_mps + rest_between_pings_s;
+    return 2.0 * scenario.range_m / usual_head.sound_speed + rest_between_pings_s;
 }
 
 double pingTime(const Scenario& scenario, std::uint64_t number) {
@@ -156,38 +154,50 @@ Bearing pingBearing(const Scenario& scenario, std::uint64_t number) {
     return Bearing::degrees(static_cast<double>(step) * scenario.step_deg - scenario.sector_half_width_deg);
 }
 
-Ping simulatePing(const Scenario& scenario, std::uint64_t seed, std::uint64_t number) {
-    const double ping_s = pingTime(scenario, number);
-    Ping ping{.sequence = number,
-              .time = simulation_start + microsecondsFromSeconds(ping_s),
-              .bearing = pingBearing(scenario, number),
-              .step_rad = radiansFromDegrees(scenario.step_deg),
-              .range_scale_m = scenario.range_m,
-              .bin_interval_s = 2.0 * scenario.range_m / sound_speed_mps / bins,
-              .sound_speed_mps = sound_speed_mps,
-              .frequency_hz = frequency_hz,
-              .gain_percent = nominal_gain_percent,
-              .clockwise = sweepOf(scenario, number).clockwise()};
-    ping.levels.reserve(bins);
-    const std::vector<PointEcho> objects = pointEchoes(scenario, seed, ping_s, ping.bearing);
+std::vector<std::uint8_t> simulateEcho(const Scenario& scenario, std::uint64_t seed, const HeadSetup& head,
+                                       double time_s, std::uint64_t number) {
+    std::vector<std::uint8_t> levels;
+    levels.reserve(static_cast<std::size_t>(head.bins));
+    const std::vector<PointEcho> objects = pointEchoes(scenario, seed, time_s, head);
+    const double gain_db = scenario.gain_db + (head.gain_db - usual_head.gain_db);
     RandomStream speckle(seed, speckle_numbers, number);
-    for (int i = 0; i < bins; ++i) {
-        const double range_m = (i + 0.5) * ping.binSize();
+    for (int i = 0; i < head.bins; ++i) {
+        const double range_m = (i + 0.5) * head.binSize();
         const double loss_db = 40.0 * std::log10(range_m) + 2.0 * absorption_db_per_m * range_m;
-        double power = backgroundPower(scenario, range_m, ping.binSize(), loss_db);
+        double power = backgroundPower(scenario, range_m, head.binSize(), loss_db);
         for (const PointEcho& object : objects) {
             const double off = (range_m - object.range_m) / object.deviation_m;
             power += object.power * std::exp(-off * off / 2.0);
         }
         power *= -std::log(speckle.uniform());  // a single look: exponential power
         const double uncompensated_db = std::max(loss_db - most_compensation_db, 0.0);
-        const double echo_db = decibels(power) - uncompensated_db - level_zero_db + scenario.gain_db;
+        const double echo_db = decibels(power) - uncompensated_db - level_zero_db + gain_db;
         const double ring_db = full_scale_db * (1.0 - range_m / ring_down_m);  // the same for every ping
         const double level_db = decibels(powerOf(echo_db) + powerOf(ring_db));
-        ping.levels.push_back(
+        levels.push_back(
             static_cast<std::uint8_t>(std::lround(std::clamp(level_db, 0.0, full_scale_db) * levels_per_db)));
     }
-    return ping;
+    return levels;
+}
+
+Ping simulatePing(const Scenario& scenario, std::uint64_t seed, std::uint64_t number) {
+    const double ping_s = pingTime(scenario, number);
+    HeadSetup head;
+    head.range_m = scenario.range_m;
+    head.bin_interval_s = 2.0 * scenario.range_m / head.sound_speed / head.bins;
+    head.bearing = pingBearing(scenario, number);
+    head.step_rad = radiansFromDegrees(scenario.step_deg);
+    return {.sequence = number,
+            .time = simulation_start + microsecondsFromSeconds(ping_s),
+            .bearing = head.bearing,
+            .step_rad = head.step_rad,
+            .range_scale_m = head.range_m,
+            .bin_interval_s = head.bin_interval_s,
+            .sound_speed_mps = head.sound_speed,
+            .frequency_hz = head.frequency_hz,
+            .gain_percent = head.gain_db / gain_db_per_percent,
+            .clockwise = sweepOf(scenario, number).clockwise(),
+            .levels = simulateEcho(scenario, seed, head, ping_s, number)};
 }
 
 }  // namespace echotrail

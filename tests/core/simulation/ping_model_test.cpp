@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -152,6 +153,27 @@ TEST(PingModel, BottomIsHeardFromItsDistanceOn) {
     scene.altitude_m = 5.0;
     const Ping ping = simulatePing(scene, 1, 0);
     EXPECT_GT(meanLevelDb(ping, 5.5, 7.0), meanLevelDb(ping, 3.0, 4.5) + 10.0);
+}
+
+TEST(Echo, HasTheBinsAskedForOverTheRangeAskedFor) {
+    HeadSetup head;
+    head.range_m = 20.0;
+    head.bins = 300;
+    head.bin_interval_s = 2.0 * head.range_m / head.sound_speed / head.bins;
+    const Scenario scene = withTarget(12.0, 0.0);
+    const auto levels = simulateEcho(scene, 1, head, 5.0, 0);
+    ASSERT_EQ(levels.size(), 300U);
+    const auto strongest = std::max_element(levels.begin() + 60, levels.end()) - levels.begin();
+    EXPECT_NEAR((static_cast<double>(strongest) + 0.5) * head.binSize(), 12.0, 0.5);
+}
+
+TEST(Echo, HeadsGainAddsToTheScenarios) {
+    Scenario scene = stillWater();
+    HeadSetup louder;
+    louder.gain_db += 10.0;
+    const auto raised = simulateEcho(scene, 1, louder, 0.0, 0);
+    scene.gain_db += 10.0;
+    EXPECT_EQ(raised, simulateEcho(scene, 1, HeadSetup{}, 0.0, 0));
 }
 
 TEST(PingModel, GainRaisesEveryLevelAlike) {
