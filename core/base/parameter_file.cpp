@@ -29,17 +29,26 @@ Result<void> collect(const toml::table& table, const std::string& path, std::vec
     return {};
 }
 
+/// `parse` gives the table, or throws toml::parse_error.
+template <class Parse>
+Result<std::vector<ParameterAssignment>> assignmentsFrom(Parse&& parse, const std::string& name) {
+    try {
+        std::vector<ParameterAssignment> assignments;
+        if (auto collected = collect(parse(), name, assignments); !collected) return Error{collected.error()};
+        return assignments;
+    } catch (const toml::parse_error& error) {
+        return Error{name + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description())};
+    }
+}
+
 }  // namespace
 
 Result<std::vector<ParameterAssignment>> readParameterFile(const std::string& path) {
-    try {
-        std::vector<ParameterAssignment> assignments;
-        if (auto collected = collect(toml::parse_file(path), path, assignments); !collected)
-            return Error{collected.error()};
-        return assignments;
-    } catch (const toml::parse_error& error) {
-        return Error{path + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description())};
-    }
+    return assignmentsFrom([&] { return toml::parse_file(path); }, path);
+}
+
+Result<std::vector<ParameterAssignment>> readParameterText(std::string_view text, const std::string& name) {
+    return assignmentsFrom([&] { return toml::parse(text); }, name);
 }
 
 std::string parameterFileText(const std::vector<ParameterInfo>& infos, const std::vector<ParameterValue>& values) {

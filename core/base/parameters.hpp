@@ -200,6 +200,22 @@ struct ParameterAssignment {
 /// Errors say the file, the line and what is wrong.
 Result<std::vector<ParameterAssignment>> readParameterFile(const std::string& path);
 
+/// The same from a text; `name` stands for the path in errors.
+Result<std::vector<ParameterAssignment>> readParameterText(std::string_view text, const std::string& name);
+
+/// Sets what a recorded parameter text says of `Params`. A name or value that this program does not have is passed
+/// over and told in the answer: a recording outlives the program that made it. Fails where it is no TOML at all.
+template <class Params>
+Result<std::vector<std::string>> applyRecordedParameters(Params& params, std::string_view text) {
+    const auto assignments = readParameterText(text, "recorded parameters");
+    if (!assignments) return Error{assignments.error()};
+    std::vector<std::string> passed_over;
+    for (const ParameterAssignment& assignment : *assignments)
+        if (const auto set = setParameter(params, assignment.name, assignment.value); !set)
+            passed_over.push_back(set.error());
+    return passed_over;
+}
+
 /// Sets everything a parameter file says; on failure nothing has changed.
 template <class Params>
 Result<void> applyParameterFile(Params& params, const std::string& path) {
@@ -217,6 +233,15 @@ Result<void> applyParameterFile(Params& params, const std::string& path) {
 /// The TOML text that `applyParameterFile` reads back to the same values: one table per group, each
 /// parameter with its unit, limits and help as a comment.
 std::string parameterFileText(const std::vector<ParameterInfo>& infos, const std::vector<ParameterValue>& values);
+
+template <class Params>
+std::vector<ParameterValue> parameterValues(const Params& params);
+
+/// All of `params` as such a text.
+template <class Params>
+std::string parameterText(const Params& params) {
+    return parameterFileText(describeParameters<Params>(), parameterValues(params));
+}
 
 /// The values of every parameter, in the order of describeParameters.
 template <class Params>

@@ -32,6 +32,16 @@ struct SourceCounts {
     std::uint64_t lost_records = 0;                 ///< whole lines known or presumed lost; not 0 means exit code 3
 };
 
+/// What the operator did during a run: it takes effect before the ping that follows it.
+struct RunControl {
+    enum class Kind { Parameters, Designation, ClearDesignation };
+    Kind kind = Kind::Parameters;
+    std::string parameters;  ///< TOML text of all parameters
+    double range_m = 0.0;    ///< of the designated place, from the head
+    Bearing from_bow;
+    bool operator==(const RunControl&) const = default;
+};
+
 /// A recording or a simulation, ping by ping, in time order.
 /// State: next() walks forward; rewind() starts again and then gives the same pings.
 class PingSource {
@@ -42,8 +52,11 @@ public:
     virtual const SourceInfo& info() const = 0;
     /// What has been met since the last rewind().
     virtual SourceCounts counts() const = 0;
-    /// The vehicle's poses over the whole source; empty where it holds no navigation.
+    /// The vehicle's poses, over the whole source or as far as the last ping needs them; empty where it holds no
+    /// navigation.
     virtual const PoseHistory& navigation() const = 0;
+    /// What takes effect before the ping that next() gave last, in order; each is given once.
+    virtual std::vector<RunControl> takeControls() { return {}; }
 };
 
 }  // namespace echotrail

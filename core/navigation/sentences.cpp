@@ -91,4 +91,12 @@ Result<GroundVelocity> readVelocity(const NmeaSentence& sentence) {
     return GroundVelocity{*ahead * metres_per_second_of_knot, *starboard * metres_per_second_of_knot, true};
 }
 
+Result<double> readDepth(const NmeaSentence& sentence) {
+    // DPT: depth in metres, offset of the transducer…; DBT: feet,f,metres,M,fathoms,F.
+    const bool dbt = sentence.id == "DBT";
+    const auto metres = number(sentence.field(dbt ? 2 : 0), 0.0, 12'000.0);
+    if (!metres || (dbt && sentence.field(3) != "M")) return rejected(nmea_cause::bad_field);
+    return *metres;
+}
+
 }  // namespace echotrail

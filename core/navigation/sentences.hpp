@@ -36,4 +36,7 @@ struct GroundVelocity {
 /// VTG or VBW; `not_valid` where the instrument had no speed over ground (VBW may have one through water only).
 Result<GroundVelocity> readVelocity(const NmeaSentence& sentence);
 
+/// DPT or DBT: metres of water below the transducer.
+Result<double> readDepth(const NmeaSentence& sentence);
+
 }  // namespace echotrail
