@@ -1,0 +1,108 @@
+#include "core/seanet/ping_receiver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace echotrail::seanet {
+namespace {
+
+constexpr Timestamp start{Microseconds(1'700'000'000'000'000)};
+
+HeadData lineAt(std::uint16_t bearing) {
+    HeadData line;
+    line.device_type = 2;
+    line.head_control = 0x2305;
+    line.range_scale = 500;
+    line.ad_interval = 104;
+    line.left_limit = 2400;
+    line.right_limit = 4000;
+    line.step = 32;
+    line.bearing = bearing;
+    line.data.assign(500, 40);
+    return line;
+}
+
+struct Receiving {
+    PingReceiver receiver{1500.0};
+    std::vector<Ping> pings;
+    void take(double after_s, Bytes bytes) {
+        receiver.take(start + microsecondsFromSeconds(after_s), bytes,
+                      [this](Ping&& ping) { pings.push_back(std::move(ping)); });
+    }
+    void reset() {
+        receiver.reset([this](Ping&& ping) { pings.push_back(std::move(ping)); });
+    }
+};
+
+TEST(PingReceiver, APingIsOfTheReadThatHeldItsFirstByteLessTheSoundsWay) {
+    const auto bytes = encodeHeadData(lineAt(3200));
+    Receiving r;
+    r.take(1.00, Bytes(bytes).first(10));
+    r.take(1.05, Bytes(bytes).subspan(10));
+    ASSERT_EQ(r.pings.size(), 1u);
+    const double flight_s = 500 * 104 * 640e-9;
+    EXPECT_NEAR(secondsBetween(start, r.pings[0].time), 1.00 - flight_s - 0.003, 1e-6);
+}
+
+TEST(PingReceiver, PingsOfOneReadStayInOrder) {
+    std::vector<std::uint8_t> bytes;
+    for (int i = 0; i < 3; ++i) {
+        const auto line = encodeHeadData(lineAt(static_cast<std::uint16_t>(3200 + 32 * i)));
+        bytes.insert(bytes.end(), line.begin(), line.end());
+    }
+    Receiving r;
+    r.take(1.0, bytes);
+    ASSERT_EQ(r.pings.size(), 3u);
+    EXPECT_EQ(r.pings[1].time - r.pings[0].time, Microseconds(1));
+    EXPECT_EQ(r.pings[2].sequence, 2u);
+}
+
+TEST(PingReceiver, AFrameThatFallsSilentIsGivenUpAndTheNextOneIsWhole) {
+    const auto bytes = encodeHeadData(lineAt(3200));
+    Receiving r;
+    r.take(1.0, Bytes(bytes).first(300));
+    r.take(3.0, bytes);
+    EXPECT_EQ(r.pings.size(), 1u);
+    EXPECT_EQ(r.receiver.counts().rejected.at("cut_frame"), 1u);
+    EXPECT_GE(r.receiver.counts().lost_records, 1u);
+}
+
+TEST(PingReceiver, ABrokenLinkEndsTheFrameThatHadBegun) {
+    const auto bytes = encodeHeadData(lineAt(3200));
+    Receiving r;
+    r.take(1.0, Bytes(bytes).first(300));
+    r.reset();
+    r.take(1.1, bytes);
+    EXPECT_EQ(r.pings.size(), 1u);
+    EXPECT_EQ(r.receiver.counts().rejected.at("cut_frame"), 1u);
+    r.reset();
+    EXPECT_EQ(r.receiver.counts().rejected.at("cut_frame"), 1u);  // nothing had begun
+}
+
+TEST(PingReceiver, AFrameUnfinishedAtTheEndIsCountedButNoLoss) {
+    const auto bytes = encodeHeadData(lineAt(3200));
+    Receiving r;
+    r.take(1.0, bytes);
+    r.take(1.2, Bytes(bytes).first(300));
+    r.receiver.finish([](Ping&&) { FAIL(); });
+    EXPECT_EQ(r.receiver.counts().lost_records, 0u);
+    EXPECT_EQ(r.receiver.counts().ignored.at("unfinished frame"), 1u);
+}
+
+TEST(PingReceiver, ByteByByteGivesTheSameLevelsAsAtOnce) {
+    std::vector<std::uint8_t> bytes;
+    for (int i = 0; i < 5; ++i) {
+        const auto line = encodeHeadData(lineAt(static_cast<std::uint16_t>(3200 + 32 * i)));
+        bytes.insert(bytes.end(), line.begin(), line.end());
+        bytes.push_back('@');  // noise between the lines
+    }
+    Receiving once, single;
+    once.take(1.0, bytes);
+    for (std::size_t i = 0; i < bytes.size(); ++i) single.take(1.0, Bytes(bytes).subspan(i, 1));
+    ASSERT_EQ(once.pings.size(), 5u);
+    EXPECT_EQ(once.pings, single.pings);
+}
+
+}  // namespace
+}  // namespace echotrail::seanet
