@@ -42,6 +42,12 @@ struct RunControl {
     bool operator==(const RunControl&) const = default;
 };
 
+/// How the run was set that a recording was made in.
+struct RecordedRun {
+    std::uint64_t seed = 0;
+    std::string parameters;  ///< TOML text of all parameters
+};
+
 /// A recording or a simulation, ping by ping, in time order.
 /// State: next() walks forward; rewind() starts again and then gives the same pings.
 class PingSource {
@@ -55,6 +61,8 @@ public:
     /// The vehicle's poses, over the whole source or as far as the last ping needs them; empty where it holds no
     /// navigation.
     virtual const PoseHistory& navigation() const = 0;
+    /// Only of a recording of our own.
+    virtual std::optional<RecordedRun> recordedRun() const { return std::nullopt; }
     /// What takes effect before the ping that next() gave last, in order; each is given once.
     virtual std::vector<RunControl> takeControls() { return {}; }
 };

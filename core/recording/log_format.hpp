@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/base/time.hpp"
+#include "core/data/event.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+/// The layout of an .echotrail log: an SQLite 3 database in parts NAME.echotrail, NAME-0001.echotrail, …, each whole in
+/// itself. Table `session` (key, value): what stands above the run. Table `events` (row, number, kind, utc_us,
+/// monotonic_us, chunk, chunks, crc, payload): an event of more than `chunk_bytes` lies in several rows. Table
+/// `results` (row, kind, utc_us, crc, payload): what the tracker found, JSON. The crc is the CRC-32 of IEEE 802.3 over
+/// the row's other numbers as little-endian 64-bit integers and its payload.
+namespace echotrail {
+
+/// What a log says about its run.
+struct LogHeader {
+    std::string program_version;
+    std::string head;           ///< what the head said of itself, or where it was looked for
+    std::string configuration;  ///< TOML of all parameters at the start
+    std::uint64_t seed = 0;
+    Timestamp started{};
+    bool operator==(const LogHeader&) const = default;
+};
+
+/// The numbers are stored: they never change their meaning.
+enum class UpdateKind : std::uint8_t { Track = 1, Region = 2, Summary = 3 };
+
+namespace log_format {
+
+inline constexpr int version = 1;
+inline constexpr std::int32_t application_id = 0x45544C31;  // "ETL1", in the file's header
+inline constexpr int page_bytes = 16'384;
+inline constexpr std::size_t chunk_bytes = 4'096;  // several rows to a page, and none that overflows it
+inline constexpr std::string_view suffix = ".echotrail";
+
+/// CRC-32 (IEEE 802.3, reflected), carried on from `crc`.
+std::uint32_t crc32(std::span<const std::uint8_t> bytes, std::uint32_t crc = 0);
+
+/// Of an event's row.
+std::uint32_t rowCrc(std::span<const std::int64_t> numbers, std::span<const std::uint8_t> payload);
+
+/// Part 0 is NAME.echotrail itself, part 1 NAME-0001.echotrail, …
+std::string partPath(const std::string& first, int part);
+/// Back from the path of a part to that of part 0.
+std::string firstPartPath(const std::string& path, int part);
+
+}  // namespace log_format
+}  // namespace echotrail

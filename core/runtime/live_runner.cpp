@@ -1,0 +1,189 @@
+#include "core/runtime/live_runner.hpp"
+
+#include "core/recording/update_text.hpp"
+#include "core/runtime/denormals.hpp"
+
+#include <time.h>
+
+#include <string>
+
+namespace echotrail {
+namespace {
+
+constexpr std::size_t longest_queue = 100'000;  // an hour and more of pings
+constexpr Microseconds longest_lag{2'000'000};  // an older ping is skipped: the tracker must see the present
+constexpr std::chrono::milliseconds idle_wait{200};
+
+std::vector<std::uint8_t> bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
+
+double processorSeconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+LiveRunner::LiveRunner(const Params& params, std::uint64_t seed, std::unique_ptr<LogWriter> log, Listener listener)
+    : started_(std::chrono::time_point_cast<Microseconds>(std::chrono::system_clock::now())),
+      started_steady_(std::chrono::steady_clock::now()),
+      recorder_(log ? std::make_unique<Recorder>(std::move(log)) : nullptr),
+      events_(longest_queue),
+      listener_(std::move(listener)),
+      pipeline_(params, seed),
+      feed_(params.head.sound_speed, params.navigation.longest_navigation_gap_s) {
+    setParams(params);
+    thread_ = std::jthread([this] { run(); });
+}
+
+LiveRunner::~LiveRunner() { finish(); }
+
+void LiveRunner::finish() {
+    events_.close();
+    if (thread_.joinable()) thread_.join();
+    if (recorder_) recorder_->close();
+}
+
+Microseconds LiveRunner::elapsed() const {
+    return std::chrono::duration_cast<Microseconds>(std::chrono::steady_clock::now() - started_steady_);
+}
+
+/// UTC that never jumps: when someone sets the computer's clock in the middle of a run, tracks must not break.
+Timestamp LiveRunner::now() const { return started_ + elapsed(); }
+
+void LiveRunner::post(EventKind kind, std::vector<std::uint8_t> payload) {
+    const std::scoped_lock lock(post_mutex_);
+    postLocked(kind, std::move(payload));
+}
+
+void LiveRunner::postLocked(EventKind kind, std::vector<std::uint8_t> payload) {
+    const Microseconds monotonic = elapsed();
+    Event event{next_number_++, kind, started_ + monotonic, monotonic, std::move(payload)};
+    if (recorder_) recorder_->add(event);
+    if (kind != EventKind::SentBytes && kind != EventKind::Skip) events_.push(std::move(event));
+}
+
+void LiveRunner::setParams(const Params& params) { post(EventKind::Parameters, bytesOf(parameterText(params))); }
+
+void LiveRunner::designate(double range_m, Bearing from_bow) {
+    const RunControl wanted{.kind = RunControl::Kind::Designation, .range_m = range_m, .from_bow = from_bow};
+    post(EventKind::Designation, bytesOf(designationText(wanted)));
+}
+
+void LiveRunner::clearDesignation() { post(EventKind::Designation, {}); }
+
+void LiveRunner::annotate(const std::string& remark) { post(EventKind::Annotation, bytesOf(remark)); }
+
+void LiveRunner::record(ResultRow row) {
+    if (recorder_) recorder_->add(std::move(row));
+}
+
+void LiveRunner::run() {
+    flushDenormals();
+    while (!events_.ended()) {
+        for (const Event& event : events_.take(idle_wait)) {
+            feed_.take(event);
+            takePings(event.monotonic);
+            updateStatus(event.monotonic);
+        }
+    }
+    feed_.finish();
+    takePings(elapsed());
+    last_update_ = pipeline_.finish();
+    builder_.addFinal(last_update_);
+    tell(last_update_, Timestamp::max());
+    updateStatus(elapsed());
+}
+
+void LiveRunner::takePings(Microseconds arrived) {
+    while (const auto ping = feed_.next()) {
+        for (const RunControl& control : feed_.takeControls()) apply(control);
+        if (!first_ping_) first_ping_ = ping->time;
+        if (elapsed() - arrived > longest_lag)
+            skip(*ping);
+        else
+            process(*ping);
+    }
+}
+
+/// The tracker is so far behind that what it would say were of the past; a recording of the run leaves it out too.
+void LiveRunner::skip(const Ping& ping) {
+    ++skipped_;
+    post(EventKind::Skip, bytesOf(std::to_string(ping.sequence)));
+}
+
+void LiveRunner::process(const Ping& ping) {
+    pipeline_.setFanPainting(paint_fan_);
+    const double before = processorSeconds();
+    last_update_ = pipeline_.process(ping, feed_.navigation());
+    const double took_s = processorSeconds() - before;
+    processing_s_ += took_s;
+    ++taken_;
+    without_pose_ += last_update_.navigation_gap;
+    last_ping_ = ping;
+    builder_.add(last_ping_, last_update_, took_s);
+    tell(last_update_, pipeline_.settledUntil());
+    if (!scenes_.empty()) return;  // nobody has looked at the last one yet
+    Scene scene = builder_.build(pipeline_, last_ping_, last_update_);
+    scene.position = taken_;
+    scene.counts = feed_.counts();
+    scene.navigation_known = !feed_.navigation().empty();
+    scenes_.put(std::move(scene));
+}
+
+void LiveRunner::apply(const RunControl& control) {
+    switch (control.kind) {
+        case RunControl::Kind::Parameters: {
+            Params params;
+            if (!applyRecordedParameters(params, control.parameters)) break;  // the feed has counted it
+            pipeline_.setParams(params);
+            feed_.setLongestGap(params.navigation.longest_navigation_gap_s);
+            break;
+        }
+        case RunControl::Kind::Designation:
+            pipeline_.designate(control.range_m, control.from_bow);
+            break;
+        case RunControl::Kind::ClearDesignation:
+            pipeline_.clearDesignation();
+            break;
+    }
+    if (control.kind != RunControl::Kind::Parameters) designated_ = control.kind == RunControl::Kind::Designation;
+}
+
+void LiveRunner::tell(const Update& update, Timestamp settled) {
+    for (const TrackLook& look : update.looks) record({UpdateKind::Track, look.time, lookText(look)});
+    for (const Region& region : update.regions) record({UpdateKind::Region, update.time, regionText(region)});
+    if (listener_) listener_(update, settled);
+}
+
+void LiveRunner::updateStatus(Microseconds arrived) {
+    const std::scoped_lock lock(status_mutex_);
+    ++status_.events;
+    status_.pings = taken_;
+    status_.skipped = skipped_;
+    status_.sweeps = pipeline_.sweeps();
+    status_.confirmed = pipeline_.confirmedTracks();
+    status_.unsynchronised = pipeline_.unsynchronisedPings();
+    status_.without_pose = without_pose_;
+    status_.counts = feed_.counts();
+    status_.navigation = feed_.navigationStatus();
+    status_.navigation_expected = feed_.navigationExpected();
+    status_.designated = designated_;
+    status_.lag_s = std::chrono::duration<double>(elapsed() - arrived).count();
+    status_.processing_s = processing_s_;
+    status_.first_ping = first_ping_;
+    if (taken_ > 0) status_.last_ping = last_ping_.time;
+}
+
+LiveStatus LiveRunner::status() const {
+    LiveStatus status;
+    {
+        const std::scoped_lock lock(status_mutex_);
+        status = status_;
+    }
+    status.queued = events_.size();
+    if (recorder_) status.recorder = recorder_->status();
+    return status;
+}
+
+}  // namespace echotrail

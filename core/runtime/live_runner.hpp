@@ -1,0 +1,115 @@
+#pragma once
+
+#include "core/data/event.hpp"
+#include "core/pipelines/scanning_sonar_pipeline.hpp"
+#include "core/recording/ping_feed.hpp"
+#include "core/runtime/bounded_queue.hpp"
+#include "core/runtime/latest.hpp"
+#include "core/runtime/recorder.hpp"
+#include "core/runtime/scene_builder.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace echotrail {
+
+/// What a live run is doing, for a person to read.
+struct LiveStatus {
+    std::uint64_t events = 0;
+    std::uint64_t pings = 0;    ///< taken in by the tracker
+    std::uint64_t skipped = 0;  ///< that it could not take in time
+    std::uint64_t sweeps = 0;
+    std::uint64_t confirmed = 0;     ///< tracks, at any time so far
+    std::uint64_t without_pose = 0;  ///< pings for which navigation said nothing
+    std::uint64_t unsynchronised = 0;
+    SourceCounts counts;
+    NavigationStatus navigation;
+    bool navigation_expected = false;
+    bool designated = false;
+    std::size_t queued = 0;  ///< events the tracker has not looked at
+    double lag_s = 0.0;      ///< from an event's arrival to the end of its processing, the last one
+    double processing_s = 0.0;
+    std::optional<Timestamp> first_ping, last_ping;
+    RecorderStatus recorder;
+};
+
+/// A live run: what arrives is stamped, numbered, recorded, and only then thought about; the pipeline has its own
+/// thread, the log another.
+/// Threads: post() and the commands from any thread; they return at once. The listener is called on the pipeline's
+///          thread. Destruction takes in what was posted, closes the log and joins.
+/// Promise: who replays the recorded events through PingFeed and pipeline gets the same updates, bit for bit.
+class LiveRunner {
+public:
+    using Params = ScanningSonarPipeline::Params;
+    /// An update, and the moment before which none can follow.
+    using Listener = std::function<void(const Update&, Timestamp settled)>;
+
+    /// Without `log` nothing is recorded.
+    LiveRunner(const Params& params, std::uint64_t seed, std::unique_ptr<LogWriter> log, Listener listener = {});
+    ~LiveRunner();
+    LiveRunner(const LiveRunner&) = delete;
+    LiveRunner& operator=(const LiveRunner&) = delete;
+
+    /// Bytes or text of a kind other than the commands' below; stamped with now.
+    void post(EventKind kind, std::vector<std::uint8_t> payload);
+    void setParams(const Params& params);
+    void designate(double range_m, Bearing from_bow);
+    void clearDesignation();
+    void annotate(const std::string& remark);
+    void setFanPainting(bool on) { paint_fan_ = on; }
+
+    /// Ends the run: everything posted is taken in, the last sweep is closed, the log too.
+    void finish();
+
+    Latest<Scene>& scenes() { return scenes_; }
+    LiveStatus status() const;
+    /// Of the pings, so that other outputs agree with the log's times.
+    Timestamp now() const;
+    /// A row for the log that is no event: the summary.
+    void record(ResultRow row);
+
+private:
+    void run();
+    void postLocked(EventKind kind, std::vector<std::uint8_t> payload);
+    void takePings(Microseconds arrived);
+    void process(const Ping& ping);
+    void apply(const RunControl& control);
+    void tell(const Update& update, Timestamp settled);
+    void skip(const Ping& ping);
+    void updateStatus(Microseconds arrived);
+    Microseconds elapsed() const;
+
+    const Timestamp started_;
+    const std::chrono::steady_clock::time_point started_steady_;
+    std::mutex post_mutex_;  ///< one number after the other, in the same order for log and tracker
+    std::uint64_t next_number_ = 0;
+    std::unique_ptr<Recorder> recorder_;
+    BoundedQueue<Event> events_;
+    Listener listener_;
+    std::atomic<bool> paint_fan_ = true;
+
+    // The pipeline thread's own
+    ScanningSonarPipeline pipeline_;
+    PingFeed feed_;
+    SceneBuilder builder_;
+    Ping last_ping_;
+    Update last_update_;
+    double processing_s_ = 0.0;
+    std::uint64_t without_pose_ = 0;
+    std::uint64_t skipped_ = 0, taken_ = 0;
+    bool designated_ = false;
+    std::optional<Timestamp> first_ping_;
+
+    mutable std::mutex status_mutex_;
+    LiveStatus status_;
+    Latest<Scene> scenes_;
+    std::jthread thread_;  // last, so that it ends before what it uses
+};
+
+}  // namespace echotrail
