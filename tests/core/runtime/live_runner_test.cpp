@@ -1,0 +1,138 @@
+#include "core/runtime/live_runner.hpp"
+
+#include "core/recording/echotrail_log.hpp"
+#include "core/recording/update_text.hpp"
+#include "core/seanet/head_data.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace echotrail {
+namespace {
+
+/// A scan to and fro, as a head sends it: a bright patch at 20 m, coming nearer, on a dark ground.
+std::vector<std::vector<std::uint8_t>> scan(int sweeps) {
+    std::vector<std::vector<std::uint8_t>> frames;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        for (int i = 0; i <= 50; ++i) {
+            const int place = sweep % 2 == 0 ? i : 50 - i;
+            seanet::HeadData line;
+            line.device_type = 2;
+            line.head_control = sweep % 2 == 0 ? 0x2305 : 0x2301;
+            line.range_scale = 500;
+            line.ad_interval = 130;
+            line.left_limit = 2400;
+            line.right_limit = 4000;
+            line.step = 32;
+            line.bearing = static_cast<std::uint16_t>(2400 + 32 * place);
+            line.data.assign(800, 20);
+            const int bin = 320 - 4 * sweep;
+            for (int b = bin; b < bin + 12; ++b)
+                if (place >= 22 && place <= 26) line.data[static_cast<std::size_t>(b)] = 160;
+            frames.push_back(seanet::encodeHeadData(line));
+        }
+    }
+    return frames;
+}
+
+std::vector<std::uint8_t> bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
+
+class Live : public testing::Test {
+protected:
+    void SetUp() override {
+        path_ =
+            testing::TempDir() + "live_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".echotrail";
+        std::filesystem::remove(path_);
+    }
+    void TearDown() override { std::filesystem::remove(path_); }
+    std::unique_ptr<LogWriter> log(std::uint64_t seed, const LiveRunner::Params& params) {
+        auto writer = LogWriter::create(path_, {"test", "head", parameterText(params), seed, Timestamp{}});
+        EXPECT_TRUE(writer) << writer.error();
+        return *std::move(writer);
+    }
+    /// The looks of the recording, run again.
+    std::vector<std::string> again() {
+        auto source = EchotrailLog::open(path_, {});
+        EXPECT_TRUE(source) << source.error();
+        LiveRunner::Params params;
+        EXPECT_TRUE(applyRecordedParameters(params, (*source)->recordedRun()->parameters));
+        ScanningSonarPipeline pipeline(params, (*source)->recordedRun()->seed);
+        std::vector<std::string> looks;
+        const auto collect = [&](const Update& update) {
+            for (const TrackLook& look : update.looks) looks.push_back(lookText(look));
+        };
+        while (const auto ping = (*source)->next()) {
+            for (const RunControl& control : (*source)->takeControls()) {
+                if (control.kind == RunControl::Kind::Parameters) {
+                    EXPECT_TRUE(applyRecordedParameters(params, control.parameters));
+                    pipeline.setParams(params);
+                } else if (control.kind == RunControl::Kind::Designation) {
+                    pipeline.designate(control.range_m, control.from_bow);
+                } else {
+                    pipeline.clearDesignation();
+                }
+            }
+            collect(pipeline.process(*ping, (*source)->navigation()));
+        }
+        collect(pipeline.finish());
+        return looks;
+    }
+    std::string path_;
+};
+
+TEST_F(Live, ItsRecordingGivesTheSameLooksBitForBit) {
+    std::vector<std::string> live;
+    const LiveRunner::Params params;
+    {
+        LiveRunner runner(params, 5, log(5, params), [&](const Update& update, Timestamp) {
+            for (const TrackLook& look : update.looks) live.push_back(lookText(look));
+        });
+        runner.designate(20.0, Bearing::degrees(0.0));
+        int sent = 0;
+        for (const auto& frame : scan(8)) {
+            runner.post(EventKind::SonarBytes, {frame.begin(), frame.begin() + 200});
+            if (sent % 40 == 7) runner.post(EventKind::NavigationBytes, bytesOf("$HEHDT,010.0,T*2D\r\n"));
+            if (sent == 90) {
+                auto changed = params;
+                changed.regions.screen.seed_excess_db += 1.0;
+                runner.setParams(changed);
+            }
+            if (sent == 150) {
+                runner.post(EventKind::SonarLink, bytesOf("down"));
+                runner.post(EventKind::SonarLink, bytesOf("up"));
+            } else {
+                runner.post(EventKind::SonarBytes, {frame.begin() + 200, frame.end()});
+            }
+            ++sent;
+        }
+        runner.finish();
+        EXPECT_EQ(runner.status().pings, 407u);
+        EXPECT_EQ(runner.status().counts.rejected.at("cut_frame"), 1u);
+        EXPECT_FALSE(runner.status().recorder.recording);
+        EXPECT_EQ(runner.status().recorder.error, "");
+    }
+    EXPECT_GT(live.size(), 2u);
+    EXPECT_EQ(again(), live);
+
+    const auto reader = LogReader::open(path_);
+    ASSERT_TRUE(reader);
+    std::vector<std::string> recorded;
+    while (const auto result = (*reader)->nextResult())
+        if (result->kind == UpdateKind::Track) recorded.push_back(result->text);
+    EXPECT_EQ(recorded, live);
+}
+
+TEST_F(Live, WithoutALogItTracksAllTheSame) {
+    LiveRunner runner({}, 1, nullptr);
+    for (const auto& frame : scan(3)) runner.post(EventKind::SonarBytes, frame);
+    runner.finish();
+    EXPECT_EQ(runner.status().pings, 153u);
+    EXPECT_FALSE(runner.status().recorder.recording);
+    EXPECT_TRUE(runner.scenes().take());
+}
+
+}  // namespace
+}  // namespace echotrail
