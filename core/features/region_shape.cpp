@@ -54,7 +54,7 @@ double secondInvariant(const SecondMoments& m, std::size_t pixels) {
 
 std::vector<Eigen::Vector2f> outlineOf(std::span<const RegionPixel> mask, const FanImage& picture) {
     const Box box = boxOf(mask);
-    cv::Mat image = cv::Mat::zeros(box.rows, box.columns, CV_8U);
+    cv::Mat image(box.rows, box.columns, CV_8U, cv::Scalar(0));
     for (const RegionPixel& pixel : mask) image.at<std::uint8_t>(pixel.row - box.top, pixel.column - box.left) = 1;
     std::vector<std::vector<cv::Point>> contours;
     cv::findContours(image, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE);
@@ -72,7 +72,7 @@ std::vector<Eigen::Vector2f> outlineOf(std::span<const RegionPixel> mask, const 
 std::array<double, 7> huInvariants(std::span<const RegionPixel> mask) {
     assert(!mask.empty());
     const Box box = boxOf(mask);
-    cv::Mat image = cv::Mat::zeros(box.rows, box.columns, CV_8U);
+    cv::Mat image(box.rows, box.columns, CV_8U, cv::Scalar(0));
     for (const RegionPixel& pixel : mask) image.at<std::uint8_t>(pixel.row - box.top, pixel.column - box.left) = 1;
     std::array<double, 7> invariants{};
     cv::HuMoments(cv::moments(image, true), invariants.data());

@@ -13,8 +13,8 @@ constexpr double follow_share = 0.75;  // of the margin that the head may leave 
 constexpr double farthest_origin_m = 1e6;
 
 FanImage emptyImage(int top, int left, int size, double pixel) {
-    return {cv::Mat::zeros(size, size, CV_8U), cv::Mat(size, size, CV_32S, cv::Scalar(FanImage::never_scanned)), pixel,
-            top * pixel, left * pixel};
+    return {cv::Mat(size, size, CV_8U, cv::Scalar(0)), cv::Mat(size, size, CV_32S, cv::Scalar(FanImage::never_scanned)),
+            pixel, top * pixel, left * pixel};
 }
 
 /// Copies what both pictures show, of one pixel size.
