@@ -85,7 +85,7 @@ double scintillation(std::uint64_t seed, std::uint64_t object, double time_s) {
 template <class PositionAt>
 PointEcho meet(const Scenario& scenario, double ping_s, const HeadSetup& head, const PositionAt& positionAt) {
     const auto seenFrom = [&](double transmitted_s, double at_s) {
-        const Pose vehicle = vehiclePose(scenario.vehicle, ping_s + at_s);
+        const Pose vehicle = vehiclePose(scenario, ping_s + at_s);
         const Eigen::Vector2d way = positionAt(transmitted_s) - Eigen::Vector2d(vehicle.north_m, vehicle.east_m);
         const double off_axis =
             wrapRadians(std::atan2(way.y(), way.x()) - vehicle.heading.inRadians()) - head.bearing.inRadians();

@@ -27,7 +27,7 @@ SourceInfo describe(const Scenario& scenario) {
 
 TruthSample sampleTruth(const Scenario& scenario, std::uint64_t ping, std::size_t target) {
     const double time_s = pingTime(scenario, ping);
-    const Pose vehicle = vehiclePose(scenario.vehicle, time_s);
+    const Pose vehicle = vehiclePose(scenario, time_s);
     const TargetMotion motion = targetMotion(scenario.targets[target], time_s);
     const Eigen::Vector2d way = motion.position_m - Eigen::Vector2d(vehicle.north_m, vehicle.east_m);
     const double from_bow = wrapRadians(std::atan2(way.y(), way.x()) - vehicle.heading.inRadians());
@@ -47,7 +47,7 @@ SimulatedSource::SimulatedSource(Scenario scenario, std::uint64_t seed)
     : scenario_(std::move(scenario)), seed_(seed), info_(describe(scenario_)) {
     const Timestamp last_echo = info_.end + microsecondsFromSeconds(pingInterval(scenario_));
     for (Timestamp time = info_.start; time < last_echo + navigation_interval; time += navigation_interval)
-        navigation_.add({time, vehiclePose(scenario_.vehicle, secondsBetween(info_.start, time))});
+        navigation_.add({time, vehiclePose(scenario_, secondsBetween(info_.start, time))});
 }
 
 std::optional<Ping> SimulatedSource::next() {

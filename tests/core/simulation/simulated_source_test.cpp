@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace echotrail {
@@ -45,9 +46,10 @@ TEST(SimulatedSource, RewindGivesTheSamePingsAgain) {
 }
 
 TEST(SimulatedSource, AllItsScenariosOpenAndHoldWhatTheyAnnounce) {
-    for (const Scenario& scenario : scenarios()) {
-        const auto source = open(scenario.name);
-        EXPECT_EQ(source->info().name, scenario.name);
+    for (Scenario scenario : scenarios()) {
+        EXPECT_EQ(open(scenario.name)->info().name, scenario.name);
+        scenario.duration_s = std::min(scenario.duration_s, 60.0);
+        const auto source = std::make_unique<SimulatedSource>(scenario, 1);
         std::uint64_t pings = 0;
         Timestamp last{};
         while (const auto ping = source->next()) {
@@ -80,7 +82,7 @@ TEST(SimulatedSource, NavigationBetweenItsSamplesAgreesWithTheMotion) {
         for (const Timestamp time : {ping->time, ping->time + Microseconds(67'000)}) {
             const auto pose = source->navigation().at(time, 0.05);
             ASSERT_TRUE(pose.has_value());
-            const Pose truth = vehiclePose(source->scenario().vehicle, secondsBetween(simulation_start, time));
+            const Pose truth = vehiclePose(source->scenario(), secondsBetween(simulation_start, time));
             EXPECT_NEAR(pose->north_m, truth.north_m, 1e-6);
             EXPECT_NEAR(pose->east_m, truth.east_m, 1e-6);
             EXPECT_NEAR(pose->heading - truth.heading, 0.0, radiansFromDegrees(0.001));
