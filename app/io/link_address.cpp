@@ -1,0 +1,106 @@
+#include "app/io/link_address.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace echotrail {
+namespace {
+
+std::optional<int> numberIn(std::string_view text, int least, int most) {
+    int value = 0;
+    const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc() || stop != text.data() + text.size() || value < least || value > most)
+        return std::nullopt;
+    return value;
+}
+
+Error refused(const std::string& text) {
+    return Error{"'" + text +
+                 "' is no address of a device; say serial:///dev/ttyUSB0?baud=115200, tcp://HOST:PORT or "
+                 "udp://HOST:PORT?listen=PORT"};
+}
+
+/// The options after '?', as in "baud=9600&format=nmea".
+Result<void> readOptions(std::string_view options, LinkAddress& address) {
+    while (!options.empty()) {
+        const std::string_view option = options.substr(0, options.find('&'));
+        options.remove_prefix(std::min(options.size(), option.size() + 1));
+        const auto equals = option.find('=');
+        const std::string_view name = option.substr(0, equals);
+        const std::string_view value = equals == std::string_view::npos ? "" : option.substr(equals + 1);
+        const bool serial = address.kind == LinkAddress::Kind::Serial;
+        if (name == "baud" && serial) {
+            const auto baud = numberIn(value, 1'200, 4'000'000);
+            if (!baud) return Error{"baud=" + std::string(value) + " is no baud rate, as in baud=115200"};
+            address.baud = *baud;
+        } else if (name == "listen" && address.kind == LinkAddress::Kind::Udp) {
+            const auto port = numberIn(value, 0, 65'535);
+            if (!port) return Error{"listen=" + std::string(value) + " is no port, 0 to 65535"};
+            address.listen = static_cast<std::uint16_t>(*port);
+        } else if (name == "format" && !serial && (value == "json" || value == "nmea")) {
+            address.format = value;
+        } else {
+            return Error{"'" + std::string(option) + "' is not understood after '?'"};
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+bool isLinkAddress(const std::string& text) {
+    return text == "pty" || text.starts_with("serial://") || text.starts_with("tcp://") || text.starts_with("udp://");
+}
+
+Result<LinkAddress> parseLinkAddress(const std::string& text) {
+    LinkAddress address;
+    if (text == "pty") {
+        address.kind = LinkAddress::Kind::PseudoTerminal;
+        return address;
+    }
+    if (!isLinkAddress(text)) return refused(text);
+    address.kind = text.starts_with("serial") ? LinkAddress::Kind::Serial
+                   : text.starts_with("tcp")  ? LinkAddress::Kind::Tcp
+                                              : LinkAddress::Kind::Udp;
+    std::string rest = text.substr(text.find("://") + 3);
+    const auto question = rest.find('?');
+    if (question != std::string::npos) {
+        const std::string options = rest.substr(question + 1);
+        rest.resize(question);
+        if (auto read = readOptions(options, address); !read) return Error{text + ": " + read.error()};
+    }
+    if (address.kind == LinkAddress::Kind::Serial) {
+        if (rest.size() < 2 || rest[0] != '/') return refused(text);
+        address.device = rest;
+        return address;
+    }
+    const auto colon = rest.rfind(':');
+    if (colon == std::string::npos || colon == 0) return refused(text);
+    const auto port = numberIn(std::string_view(rest).substr(colon + 1), 0, 65'535);
+    if (!port) return refused(text);
+    address.host = rest.substr(0, colon);
+    if (address.host.front() == '[' && address.host.back() == ']')
+        address.host = address.host.substr(1, address.host.size() - 2);
+    address.port = static_cast<std::uint16_t>(*port);
+    return address;
+}
+
+std::string toText(const LinkAddress& address) {
+    const bool bracketed = address.host.find(':') != std::string::npos;
+    const std::string where =
+        (bracketed ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
+    switch (address.kind) {
+        case LinkAddress::Kind::Serial:
+            return "serial://" + address.device + "?baud=" + std::to_string(address.baud);
+        case LinkAddress::Kind::Tcp:
+            return "tcp://" + where;
+        case LinkAddress::Kind::Udp:
+            return "udp://" + where + (address.listen ? "?listen=" + std::to_string(address.listen) : "");
+        case LinkAddress::Kind::PseudoTerminal:
+            break;
+    }
+    return "pty";
+}
+
+}  // namespace echotrail

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace echotrail {
+
+/// Where a live device is reached, or where one is waited for.
+struct LinkAddress {
+    enum class Kind { Serial, Tcp, Udp, PseudoTerminal };
+    Kind kind = Kind::Tcp;
+    std::string device;  ///< of a serial port
+    int baud = 115'200;
+    std::string host;
+    std::uint16_t port = 0;    ///< to listen on: 0 is any free one
+    std::uint16_t listen = 0;  ///< UDP: where answers are expected; 0 is any free one
+    std::string format;        ///< of a report: "json" or "nmea"
+    bool operator==(const LinkAddress&) const = default;
+};
+
+/// Whether a text names a live link (serial, tcp, udp or pty) rather than a file or a scenario.
+bool isLinkAddress(const std::string& text);
+
+/// Reads `serial:///dev/ttyUSB0?baud=115200`, `tcp://HOST:PORT`, `udp://HOST:PORT?listen=PORT` (an IPv6 host in
+/// brackets) or `pty`. The error, a matter of usage, says what would be accepted.
+Result<LinkAddress> parseLinkAddress(const std::string& text);
+
+/// As it is typed.
+std::string toText(const LinkAddress& address);
+
+}  // namespace echotrail
