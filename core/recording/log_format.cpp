@@ -1,7 +1,10 @@
 #include "core/recording/log_format.hpp"
 
 #include <array>
+#include <charconv>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 
 namespace echotrail::log_format {
 namespace {
@@ -36,6 +39,10 @@ std::uint32_t rowCrc(std::span<const std::int64_t> numbers, std::span<const std:
     return crc32(payload, crc);
 }
 
+std::uint32_t sessionCrc(std::string_view key, std::span<const std::uint8_t> value) {
+    return crc32(value, crc32(bytesOf(key)));
+}
+
 std::string partPath(const std::string& first, int part) {
     if (part == 0) return first;
     char number[16];
@@ -52,6 +59,23 @@ std::string firstPartPath(const std::string& path, int part) {
     const std::string ending = partPath("", part);
     if (stem.ends_with(ending)) stem.resize(stem.size() - ending.size());
     return stem + (named ? std::string(suffix) : "");
+}
+
+std::map<int, std::string> partsBeside(const std::string& first) {
+    const std::string folder = first.substr(0, first.find_last_of('/') + 1);
+    std::map<int, std::string> parts;
+    std::error_code failure;
+    for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, failure), end;
+         !failure && entry != end; entry.increment(failure)) {
+        const std::string path = folder + entry->path().filename().string();
+        const std::string stem = path.substr(0, path.size() - (path.ends_with(suffix) ? suffix.size() : 0));
+        int part = 0;
+        const auto dash = stem.find_last_of('-');
+        if (path != first && dash != std::string::npos)
+            std::from_chars(stem.data() + dash + 1, stem.data() + stem.size(), part);
+        if (part >= 0 && partPath(first, part) == path) parts[part] = path;
+    }
+    return parts;
 }
 
 }  // namespace echotrail::log_format

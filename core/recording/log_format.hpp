@@ -4,14 +4,18 @@
 #include "core/data/event.hpp"
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
+#include <string_view>
 
 /// The layout of an .echotrail log: an SQLite 3 database in parts NAME.echotrail, NAME-0001.echotrail, …, each whole in
-/// itself. Table `session` (key, value): what stands above the run. Table `events` (row, number, kind, utc_us,
+/// itself. Table `session` (row, key, crc, value): what stands above the run, in every part; a value of more than
+/// `chunk_bytes` lies in several rows of its key. Table `events` (row, number, kind, utc_us,
 /// monotonic_us, chunk, chunks, crc, payload): an event of more than `chunk_bytes` lies in several rows. Table
 /// `results` (row, kind, utc_us, crc, payload): what the tracker found, JSON. The crc is the CRC-32 of IEEE 802.3 over
-/// the row's other numbers as little-endian 64-bit integers and its payload.
+/// the row's other numbers as little-endian 64-bit integers, or its key, and its payload. No row is as long as a page,
+/// so that each lies whole in one and can be found without trusting anything around it (log_recovery.hpp).
 namespace echotrail {
 
 /// What a log says about its run.
@@ -38,13 +42,22 @@ inline constexpr std::string_view suffix = ".echotrail";
 /// CRC-32 (IEEE 802.3, reflected), carried on from `crc`.
 std::uint32_t crc32(std::span<const std::uint8_t> bytes, std::uint32_t crc = 0);
 
-/// Of an event's row.
+/// Of an event's or a result's row.
 std::uint32_t rowCrc(std::span<const std::int64_t> numbers, std::span<const std::uint8_t> payload);
+
+/// Of a session's row.
+std::uint32_t sessionCrc(std::string_view key, std::span<const std::uint8_t> value);
+
+inline std::span<const std::uint8_t> bytesOf(std::string_view text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
 
 /// Part 0 is NAME.echotrail itself, part 1 NAME-0001.echotrail, …
 std::string partPath(const std::string& first, int part);
 /// Back from the path of a part to that of part 0.
 std::string firstPartPath(const std::string& path, int part);
+/// The files there are whose names are those of part 0 and of the parts after it, by their numbers.
+std::map<int, std::string> partsBeside(const std::string& first);
 
 }  // namespace log_format
 }  // namespace echotrail

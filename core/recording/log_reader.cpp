@@ -1,10 +1,9 @@
 #include "core/recording/log_reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 namespace echotrail {
 namespace {
@@ -30,18 +29,44 @@ std::string uriOf(const std::string& path, std::string_view query) {
     return uri + std::string(query);
 }
 
-bool holdsBytes(const std::string& path) {
+/// Whether there is a write-ahead log with more in it than its own header of 32 bytes.
+bool hasWal(const std::string& path) {
     std::error_code failure;
-    const auto size = std::filesystem::file_size(path, failure);
-    return !failure && size > 0;
+    const auto size = std::filesystem::file_size(path + "-wal", failure);
+    return !failure && size > 32;
 }
 
-/// A log without a write-ahead log beside it is opened as what cannot change: then nothing is made beside it, and a
-/// medium that cannot be written will do.
+enum class WalUse {
+    None,     ///< there is none: the file is opened as what cannot change
+    Shared,   ///< with its index in shared memory (-shm), only read; needed where a writer is alive
+    Private,  ///< with an index of our own, and no lock
+};
+
+/// In no use is anything changed or made, in the file or beside it, and a medium that cannot be written will do.
+Result<sqlite::Database> openWith(WalUse use, const std::string& path) {
+    const char* how = use == WalUse::None     ? "?mode=ro&immutable=1"
+                      : use == WalUse::Shared ? "?mode=ro&readonly_shm=1"
+                                              : "?mode=ro&vfs=unix-none";
+    auto opened = sqlite::open(uriOf(path, how), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    if (!opened) return opened;
+    sqlite3* database = opened->get();
+    sqlite3_db_config(database, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+    // What a dead process left of an index can make SQLite wait for one that will never come.
+    sqlite3_busy_timeout(database, use == WalUse::Shared ? 200 : 0);
+    if (use == WalUse::Private)
+        if (auto done = sqlite::execute(database, "PRAGMA locking_mode = EXCLUSIVE"); !done) return Error{done.error()};
+    return opened;
+}
+
 Result<sqlite::Database> openPart(const std::string& path) {
-    const bool has_wal = holdsBytes(path + "-wal");
-    constexpr int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
-    auto opened = sqlite::open(uriOf(path, has_wal ? "?mode=ro" : "?mode=ro&immutable=1"), flags);
+    std::error_code failure;
+    const bool has_wal = hasWal(path);
+    if (has_wal && std::filesystem::exists(path + "-shm", failure)) {
+        auto shared = openWith(WalUse::Shared, path);
+        if (shared && sqlite::execute(shared->get(), "SELECT count(*) FROM sqlite_schema")) return shared;
+        // The index is not that of this write-ahead log, as after a loss of power: whoever wrote is gone.
+    }
+    auto opened = openWith(has_wal ? WalUse::Private : WalUse::None, path);
     if (!opened) return Error{"cannot open " + path + ": " + opened.error()};
     return opened;
 }
@@ -55,17 +80,33 @@ std::optional<std::int64_t> askInteger(sqlite3* database, std::string_view sql, 
     return statement->integer(0);
 }
 
-std::string askText(sqlite3* database, std::string_view sql) {
-    auto statement = sqlite::Statement::prepare(database, sql);
-    if (!statement) return {};
-    const auto row = statement->step();
-    return row && *row ? statement->text(0) : std::string();
+/// A value of the session, from all its rows.
+std::string sessionValue(sqlite3* database, std::string_view key) {
+    auto rows = sqlite::Statement::prepare(database, "SELECT crc, value FROM session WHERE key = ?1 ORDER BY row");
+    if (!rows) return {};
+    rows->bind(1, key);
+    std::string value;
+    for (auto row = rows->step(); row && *row; row = rows->step()) {
+        if (rows->integer(0) != std::int64_t{log_format::sessionCrc(key, rows->blob(1))}) return {};
+        value += rows->text(1);
+    }
+    return value;
 }
 
 std::int64_t number(const std::string& text) {
     std::int64_t value = 0;
     std::from_chars(text.data(), text.data() + text.size(), value);
     return value;
+}
+
+LogHeader headerOf(sqlite3* database) {
+    LogHeader header;
+    header.program_version = sessionValue(database, "program_version");
+    header.head = sessionValue(database, "head");
+    header.configuration = sessionValue(database, "configuration");
+    header.seed = static_cast<std::uint64_t>(std::strtoull(sessionValue(database, "seed").c_str(), nullptr, 10));
+    header.started = timestamp(number(sessionValue(database, "started_us")));
+    return header;
 }
 
 }  // namespace
@@ -89,40 +130,29 @@ Result<std::unique_ptr<LogReader>> LogReader::open(const std::string& path) {
 Result<void> LogReader::openParts(const std::string& path) {
     auto opened = openPart(path);
     if (!opened) return Error{opened.error()};
-    sqlite3* named = opened->get();
-    const auto version = askInteger(named, "PRAGMA user_version");
-    const std::string part_text = askText(named, "SELECT value FROM session WHERE key = 'part'");
-    if (!version || part_text.empty())
-        return Error{"cannot open " + path + ": it is damaged at its beginning; try 'echotrail recover'"};
-    if (*version > log_format::version)
+    const auto version = askInteger(opened->get(), "PRAGMA user_version");
+    if (version && *version > log_format::version)
         return Error{"cannot open " + path + ": a newer Echotrail wrote it; update this one"};
-    const std::string first = log_format::firstPartPath(path, static_cast<int>(number(part_text)));
-    for (int part = 0;; ++part) {
-        const std::string part_path = log_format::partPath(first, part);
-        if (!holdsBytes(part_path)) {
-            if (part > number(part_text)) break;
-            parts_missing_ = true;
-            ++counts_.missing_parts;
-            continue;
-        }
+    const std::string own_part = sessionValue(opened->get(), "part");
+    if (!version || own_part.empty())
+        return Error{"cannot open " + path + ": it is damaged at its beginning; try 'echotrail recover'"};
+    header_ = headerOf(opened->get());
+    const std::string first = log_format::firstPartPath(path, static_cast<int>(number(own_part)));
+    int expected = 0;
+    for (const auto& [part, part_path] : log_format::partsBeside(first)) {
         auto one = openPart(part_path);
         if (!one) return Error{one.error()};
-        closed_ &= !holdsBytes(part_path + "-wal");
+        // A part that cannot say whose it is counts as one of ours: its rows have their own check sums.
+        const LogHeader theirs = headerOf(one->get());
+        const bool silent = theirs.started == Timestamp{};
+        if (!silent && (theirs.started != header_.started || theirs.seed != header_.seed)) continue;
+        missing_parts_ += static_cast<std::uint64_t>(std::max(0, part - expected));
+        expected = part + 1;
+        closed_ &= !hasWal(part_path);
         parts_.push_back({part_path, *std::move(one)});
     }
-    return readHeader();
-}
-
-Result<void> LogReader::readHeader() {
-    sqlite3* first = parts_.front().database.get();
-    const auto value = [&](const std::string& key) {
-        return askText(first, "SELECT value FROM session WHERE key = '" + key + "'");
-    };
-    header_.program_version = value("program_version");
-    header_.head = value("head");
-    header_.configuration = value("configuration");
-    header_.seed = static_cast<std::uint64_t>(std::strtoull(value("seed").c_str(), nullptr, 10));
-    header_.started = timestamp(number(value("started_us")));
+    // Under a name that does not tell it is its own only part.
+    if (parts_.empty()) parts_.push_back({path, *std::move(opened)});
     return {};
 }
 
@@ -190,9 +220,9 @@ std::optional<Event> LogReader::next() {
         }
         event.payload.insert(event.payload.end(), payload.begin(), payload.end());
         if (++chunks_taken < chunks) continue;
-        if (last_number_ && event.number > *last_number_ + 1)
-            counts_.missing_events += event.number - *last_number_ - 1;
-        last_number_ = event.number;
+        if (expected_number_ && event.number > *expected_number_)
+            counts_.missing_events += event.number - *expected_number_;
+        expected_number_ = event.number + 1;
         return event;
     }
     return std::nullopt;
@@ -201,14 +231,15 @@ std::optional<Event> LogReader::next() {
 void LogReader::rewind() {
     event_cursor_ = {};
     after_row_ = 0;
-    last_number_.reset();
+    expected_number_ = 0;
     counts_ = {};
-    counts_.missing_parts = parts_missing_ ? 1 : 0;
+    counts_.missing_parts = missing_parts_;
 }
 
 /// Rows are in the order of time: the first one is found by halving.
 void LogReader::seek(Timestamp time) {
     rewind();
+    expected_number_.reset();
     const std::int64_t wanted = time.time_since_epoch().count();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         sqlite3* database = parts_[part].database.get();
@@ -244,14 +275,15 @@ std::optional<LogResult> LogReader::nextResult() {
 void LogReader::rewindResults() { result_cursor_ = {}; }
 
 std::string LogReader::summary() {
-    // The last row of a run that ended as it should.
     std::string text;
-    for (const Part& part : parts_)
-        if (auto found = askText(part.database.get(),
-                                 "SELECT payload FROM (SELECT kind, payload FROM results ORDER BY row DESC LIMIT 1) "
-                                 "WHERE kind = 3");
-            !found.empty())
-            text = std::move(found);
+    for (const Part& part : parts_) {
+        auto last = sqlite::Statement::prepare(part.database.get(),
+                                               "SELECT kind, payload FROM results ORDER BY row DESC LIMIT 1");
+        if (!last) continue;
+        // A run that ended as it should wrote it last.
+        if (const auto row = last->step(); row && *row && last->integer(0) == static_cast<int>(UpdateKind::Summary))
+            text = last->text(1);
+    }
     return text;
 }
 

@@ -31,7 +31,8 @@ struct LogResult {
 };
 
 /// Reads an .echotrail log, all its parts in order, whichever of them is named. Nothing is loaded that is not asked
-/// for. The log is opened read-only; of one that was not closed, its write-ahead log is read too.
+/// for. Nothing is changed or made, in the log or beside it; of one that was not closed, or is being written, the
+/// write-ahead log is read too.
 /// Threads: none; one owner calls it.
 class LogReader {
 public:
@@ -48,7 +49,7 @@ public:
 
     /// The next whole event; none at the end.
     std::optional<Event> next();
-    /// The next one is the first at or after `time`.
+    /// The next one is the first at or after `time`; where the clock was set back, one of those.
     void seek(Timestamp time);
     void rewind();
     const LogCounts& counts() const { return counts_; }  ///< since the last rewind or seek
@@ -71,7 +72,6 @@ private:
         std::optional<sqlite::Statement> rows;
     };
     Result<void> openParts(const std::string& path);
-    Result<void> readHeader();
     void readExtent();
     bool step(Cursor& cursor, std::string_view sql, std::int64_t after);
     bool checkRow(std::span<const std::int64_t> numbers, std::int64_t crc, std::span<const std::uint8_t> payload);
@@ -81,11 +81,11 @@ private:
     bool closed_ = true;
     std::optional<Timestamp> start_, end_;
     std::uint64_t events_ = 0;
-    Cursor event_cursor_, result_cursor_;  // after parts_: their statements end before the databases close
-    std::int64_t after_row_ = 0;           ///< where the event cursor begins in its part
-    std::optional<std::uint64_t> last_number_;
+    Cursor event_cursor_, result_cursor_;           // after parts_: their statements end before the databases close
+    std::int64_t after_row_ = 0;                    ///< where the event cursor begins in its part
+    std::optional<std::uint64_t> expected_number_;  ///< of the next event; unknown after a seek
     LogCounts counts_;
-    bool parts_missing_ = false;
+    std::uint64_t missing_parts_ = 0;
 };
 
 }  // namespace echotrail

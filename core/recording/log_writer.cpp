@@ -10,7 +10,7 @@ namespace {
 using log_format::rowCrc;
 
 constexpr std::string_view schema =
-    "CREATE TABLE session(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
+    "CREATE TABLE session(row INTEGER PRIMARY KEY, key TEXT NOT NULL, crc INTEGER NOT NULL, value BLOB NOT NULL);"
     "CREATE TABLE events(row INTEGER PRIMARY KEY, number INTEGER NOT NULL, kind INTEGER NOT NULL, utc_us INTEGER NOT "
     "NULL, monotonic_us INTEGER NOT NULL, chunk INTEGER NOT NULL, chunks INTEGER NOT NULL, crc INTEGER NOT NULL, "
     "payload BLOB NOT NULL);"
@@ -25,6 +25,11 @@ std::int64_t microseconds(Timestamp time) { return time.time_since_epoch().count
 
 Result<std::unique_ptr<LogWriter>> LogWriter::create(const std::string& path, const LogHeader& header,
                                                      const LogOptions& options) {
+    // A second part left over from another run would be in the way when this one gets there.
+    std::error_code failure;
+    for (const std::string& taken : {path, log_format::partPath(path, 1)})
+        if (std::filesystem::exists(taken, failure))
+            return Error{"cannot record to " + path + ": " + taken + " exists; give another name"};
     std::unique_ptr<LogWriter> writer(new LogWriter(path, header, options));
     if (auto begun = writer->beginPart(0); !begun) return Error{begun.error()};
     return writer;
@@ -35,27 +40,43 @@ LogWriter::~LogWriter() {
     [[maybe_unused]] const auto closed = close();
 }
 
+/// A part is made under another name and given its own when its tables and header are on the disk, so that at no
+/// moment a killed process leaves a file that does not open.
 Result<void> LogWriter::beginPart(int part) {
-    const std::string path = log_format::partPath(first_path_, part);
-    std::error_code failure;
-    if (std::filesystem::exists(path, failure))
-        return Error{"cannot record to " + path + ": the file exists; give another name"};
-    auto opened = sqlite::open(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-    if (!opened) return Error{"cannot record to " + path + ": " + opened.error()};
-    database_ = *std::move(opened);
-    path_ = path;
+    path_ = log_format::partPath(first_path_, part);
     part_ = part;
-    const std::string set_up =
-        "PRAGMA page_size = " + std::to_string(log_format::page_bytes) +
-        "; PRAGMA application_id = " + std::to_string(log_format::application_id) +
-        "; PRAGMA user_version = " + std::to_string(log_format::version) +
-        "; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA wal_autocheckpoint = 256;";
-    if (auto done = sqlite::execute(database_.get(), set_up); !done)
-        return Error{"cannot record to " + path + ": " + done.error()};
-    if (auto done = sqlite::execute(database_.get(), "BEGIN;" + std::string(schema)); !done) return done;
-    in_transaction_ = true;
-    if (auto done = writeHeader(); !done) return done;
-    if (auto done = commit(); !done) return done;
+    const std::string made_as = path_ + "~";
+    const auto fail = [&](const std::string& reason) { return Error{"cannot record to " + path_ + ": " + reason}; };
+    std::error_code failure;
+    if (std::filesystem::exists(path_, failure)) return fail("the file exists");
+    for (const char* left_over : {"", "-wal", "-shm", "-journal"})
+        std::filesystem::remove(made_as + left_over, failure);
+    if (auto made = makePart(made_as); !made) return fail(made.error());
+    std::filesystem::rename(made_as, path_, failure);
+    if (failure) return fail(failure.message());
+    if (auto opened = openPart(); !opened) return fail(opened.error());
+    return {};
+}
+
+Result<void> LogWriter::makePart(const std::string& path) const {
+    auto database = sqlite::open(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    if (!database) return Error{database.error()};
+    const std::string set_up = "PRAGMA page_size = " + std::to_string(log_format::page_bytes) +
+                               "; PRAGMA application_id = " + std::to_string(log_format::application_id) +
+                               "; PRAGMA user_version = " + std::to_string(log_format::version) +
+                               "; PRAGMA synchronous = FULL; BEGIN;" + std::string(schema);
+    if (auto done = sqlite::execute(database->get(), set_up); !done) return done;
+    if (auto done = writeHeader(database->get()); !done) return done;
+    return sqlite::execute(database->get(), "COMMIT");
+}
+
+Result<void> LogWriter::openPart() {
+    auto opened = sqlite::open(path_, SQLITE_OPEN_READWRITE);
+    if (!opened) return Error{opened.error()};
+    database_ = *std::move(opened);
+    // Beginning the write-ahead log syncs the folder, and so the name of the part, too.
+    const std::string set_up = "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA wal_autocheckpoint = 256;";
+    if (auto done = sqlite::execute(database_.get(), set_up); !done) return done;
     auto event = sqlite::Statement::prepare(
         database_.get(),
         "INSERT INTO events(number, kind, utc_us, monotonic_us, chunk, chunks, crc, payload) VALUES(?,?,?,?,?,?,?,?)");
@@ -68,20 +89,26 @@ Result<void> LogWriter::beginPart(int part) {
     return {};
 }
 
-Result<void> LogWriter::writeHeader() {
-    auto statement = sqlite::Statement::prepare(database_.get(), "INSERT INTO session(key, value) VALUES(?, ?)");
+Result<void> LogWriter::writeHeader(sqlite3* database) const {
+    auto statement = sqlite::Statement::prepare(database, "INSERT INTO session(key, crc, value) VALUES(?, ?, ?)");
     if (!statement) return Error{statement.error()};
-    const std::array<std::pair<std::string_view, std::string>, 6> rows{
+    const std::array<std::pair<std::string_view, std::string>, 6> entries{
         {{"program_version", header_.program_version},
          {"head", header_.head},
          {"configuration", header_.configuration},
          {"seed", std::to_string(header_.seed)},
          {"started_us", std::to_string(microseconds(header_.started))},
          {"part", std::to_string(part_)}}};
-    for (const auto& [key, value] : rows) {
-        if (auto done = statement->bind(1, key).bind(2, std::string_view(value)).step(); !done)
-            return Error{done.error()};
-        statement->reset();
+    for (const auto& [key, text] : entries) {
+        std::size_t at = 0;
+        do {
+            const auto value =
+                log_format::bytesOf(text).subspan(at, std::min(log_format::chunk_bytes, text.size() - at));
+            statement->bind(1, key).bind(2, std::int64_t{log_format::sessionCrc(key, value)}).bind(3, value);
+            if (auto done = statement->step(); !done) return Error{done.error()};
+            statement->reset();
+            at += value.size();
+        } while (at < text.size());
     }
     return {};
 }
@@ -119,7 +146,7 @@ Result<void> LogWriter::add(const Event& event) {
 
 Result<void> LogWriter::addUpdate(UpdateKind kind, Timestamp time, const std::string& text) {
     if (auto begun = begin(); !begun) return begun;
-    const std::span<const std::uint8_t> payload(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    const auto payload = log_format::bytesOf(text);
     const std::array<std::int64_t, 2> numbers{static_cast<std::int64_t>(kind), microseconds(time)};
     add_result_->bind(1, numbers[0])
         .bind(2, numbers[1])
@@ -148,8 +175,10 @@ Result<void> LogWriter::closePart() {
     earlier_bytes_ += std::exchange(part_bytes_, 0);
     // One plain file: it can be copied, and opened where nothing may be written.
     auto done = sqlite::execute(database_.get(), "PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode = DELETE;");
+    // Somebody reads it now: it stays two files, which open as well.
+    const bool is_read = !done && sqlite3_errcode(database_.get()) == SQLITE_BUSY;
     database_.reset();
-    return done;
+    return is_read ? Result<void>{} : done;
 }
 
 Result<void> LogWriter::close() {
