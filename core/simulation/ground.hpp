@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/simulation/acoustics.hpp"
+#include "core/simulation/scenario.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace echotrail {
+
+/// What the bottom scatters at a place, relative to its mean sand: the gamma texture of its patches of 0.5 m and its
+/// rock. Both are fixed to the world, by the seed: a patch is met again in the next sweep.
+double groundStrength(const Scenario& scenario, std::uint64_t seed, std::int64_t cell_north, std::int64_t cell_east);
+inline constexpr double ground_cell_m = 0.5;
+
+/// The bottom along one beam, near to far. The lobe takes in several patches far out: three places across it stand
+/// for them.
+class GroundAlongBeam {
+public:
+    /// `direction` of the beam from north, out from `pose`, `height_m` above the bottom.
+    GroundAlongBeam(const Scenario& scenario, std::uint64_t seed, const Pose& pose, Bearing direction, double height_m,
+                    const acoustics::Lobe& lobe);
+    /// Mean strength in the lobe at a slant range.
+    double at(double range_m);
+
+private:
+    struct Strand {
+        double north = 0.0, east = 0.0;  ///< unit vector
+        std::int64_t cell_north = 0, cell_east = 0;
+        double strength = -1.0;  ///< of that cell; below 0 before the first
+    };
+    const Scenario& scenario_;
+    std::uint64_t seed_;
+    Pose pose_;
+    double height_m_;
+    bool even_;
+    std::array<Strand, 3> strands_;
+};
+
+/// A number of the gamma law with unit mean and the given shape (Marsaglia and Tsang, 2000).
+double gammaNumber(double shape, std::uint64_t seed, std::uint64_t purpose, std::uint64_t index);
+
+/// The value that a Gaussian number exceeds with this probability.
+double gaussianAbove(double probability);
+
+}  // namespace echotrail
