@@ -60,15 +60,15 @@ double gaussianAbove(double probability) {
     return low;
 }
 
-double groundStrength(const Scenario& scenario, std::uint64_t seed, std::int64_t cell_north, std::int64_t cell_east) {
+double groundStrength(const Scenario& scenario, std::uint64_t seed, std::int64_t cell_north, std::int64_t cell_east,
+                      double rock_above) {
     double strength = 1.0;
     if (scenario.bottom_texture > 0.0)
         strength = gammaNumber(scenario.bottom_texture, seed, texture_numbers, indexOf(cell_north, cell_east));
     if (scenario.rock_share > 0.0) {
         const double north_m = (static_cast<double>(cell_north) + 0.5) * ground_cell_m;
         const double east_m = (static_cast<double>(cell_east) + 0.5) * ground_cell_m;
-        if (smoothNoise(seed, north_m, east_m) > gaussianAbove(scenario.rock_share))
-            strength *= acoustics::powerOf(scenario.rock_db);
+        if (smoothNoise(seed, north_m, east_m) > rock_above) strength *= acoustics::powerOf(scenario.rock_db);
     }
     return strength;
 }
@@ -79,7 +79,8 @@ GroundAlongBeam::GroundAlongBeam(const Scenario& scenario, std::uint64_t seed, c
       seed_(seed),
       pose_(pose),
       height_m_(height_m),
-      even_(scenario.bottom_texture == 0.0 && scenario.rock_share == 0.0) {
+      even_(scenario.bottom_texture == 0.0 && scenario.rock_share == 0.0),
+      rock_above_(gaussianAbove(scenario.rock_share)) {
     for (std::size_t i = 0; i < strands_.size(); ++i) {
         const double off_rad = (static_cast<double>(i) - 1.0) * lobe.integralWidth() / 3.0;
         strands_[i].north = std::cos(direction.inRadians() + off_rad);
@@ -96,7 +97,8 @@ double GroundAlongBeam::at(double range_m) {
             static_cast<std::int64_t>(std::floor((pose_.north_m + out_m * strand.north) / ground_cell_m));
         const auto east = static_cast<std::int64_t>(std::floor((pose_.east_m + out_m * strand.east) / ground_cell_m));
         if (strand.strength < 0.0 || north != strand.cell_north || east != strand.cell_east)
-            strand = {strand.north, strand.east, north, east, groundStrength(scenario_, seed_, north, east)};
+            strand = {strand.north, strand.east, north, east,
+                      groundStrength(scenario_, seed_, north, east, rock_above_)};
         sum += strand.strength;
     }
     return sum / static_cast<double>(strands_.size());

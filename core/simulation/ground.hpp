@@ -9,8 +9,10 @@
 namespace echotrail {
 
 /// What the bottom scatters at a place, relative to its mean sand: the gamma texture of its patches of 0.5 m and its
-/// rock. Both are fixed to the world, by the seed: a patch is met again in the next sweep.
-double groundStrength(const Scenario& scenario, std::uint64_t seed, std::int64_t cell_north, std::int64_t cell_east);
+/// rock, which is where smooth noise exceeds `rock_above` = gaussianAbove(rock_share). Both are fixed to the world, by
+/// the seed: a patch is met again in the next sweep.
+double groundStrength(const Scenario& scenario, std::uint64_t seed, std::int64_t cell_north, std::int64_t cell_east,
+                      double rock_above);
 inline constexpr double ground_cell_m = 0.5;
 
 /// The bottom along one beam, near to far. The lobe takes in several patches far out: three places across it stand
@@ -34,6 +36,7 @@ private:
     Pose pose_;
     double height_m_;
     bool even_;
+    double rock_above_;
     std::array<Strand, 3> strands_;
 };
 
