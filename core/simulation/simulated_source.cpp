@@ -1,6 +1,8 @@
 #include "core/simulation/simulated_source.hpp"
 
+#include "core/simulation/objects.hpp"
 #include "core/simulation/ping_model.hpp"
+#include "core/simulation/simulated_navigation.hpp"
 
 #include <cmath>
 #include <string>
@@ -9,14 +11,12 @@ namespace echotrail {
 
 namespace {
 
-constexpr Microseconds navigation_interval{50'000};
-
 SourceInfo describe(const Scenario& scenario) {
     const auto pings = static_cast<std::uint64_t>(scenario.duration_s / pingInterval(scenario)) + 1;
     const Ping last = simulatePing(scenario, 0, pings - 1);
     return {.name = scenario.name,
             .format = "simulation",
-            .head = "simulated SeaKing DFS, 325 kHz",
+            .head = "simulated SeaKing DFS, " + std::to_string(std::lround(scenario.frequency_khz)) + " kHz",
             .start = simulation_start,
             .end = last.time,
             .pings = pings,
@@ -28,26 +28,33 @@ SourceInfo describe(const Scenario& scenario) {
 TruthSample sampleTruth(const Scenario& scenario, std::uint64_t ping, std::size_t target) {
     const double time_s = pingTime(scenario, ping);
     const Pose vehicle = vehiclePose(scenario, time_s);
-    const TargetMotion motion = targetMotion(scenario.targets[target], time_s);
+    const SimulatedTarget& seen = scenario.targets[target];
+    const TargetMotion motion = targetMotion(seen, time_s);
     const Eigen::Vector2d way = motion.position_m - Eigen::Vector2d(vehicle.north_m, vehicle.east_m);
     const double from_bow = wrapRadians(std::atan2(way.y(), way.x()) - vehicle.heading.inRadians());
+    const double range_m = std::hypot(way.norm(), seen.below_head_m);
     return {.time = simulation_start + microsecondsFromSeconds(time_s),
             .target = static_cast<int>(target),
             .north_m = motion.position_m.x(),
             .east_m = motion.position_m.y(),
             .velocity_north_mps = motion.velocity_mps.x(),
             .velocity_east_mps = motion.velocity_mps.y(),
+            .range_m = range_m,
+            .from_bow = Bearing::radians(from_bow),
+            .in_beam = beamIsOn(scenario, seen, headSetup(scenario, ping), time_s),
             .visible = std::abs(from_bow) <= radiansFromDegrees(scenario.sector_half_width_deg) &&
-                       way.norm() <= scenario.range_m};
+                       range_m <= scenario.range_m};
 }
 
 }  // namespace
 
 SimulatedSource::SimulatedSource(Scenario scenario, std::uint64_t seed)
     : scenario_(std::move(scenario)), seed_(seed), info_(describe(scenario_)) {
-    const Timestamp last_echo = info_.end + microsecondsFromSeconds(pingInterval(scenario_));
-    for (Timestamp time = info_.start; time < last_echo + navigation_interval; time += navigation_interval)
-        navigation_.add({time, vehiclePose(scenario_, secondsBetween(info_.start, time))});
+    const double last_echo_s = secondsBetween(info_.start, info_.end) + pingInterval(scenario_);
+    const double interval_s = std::chrono::duration<double>(SimulatedNavigation::interval).count();
+    SimulatedNavigation told(scenario_, seed_);
+    for (NavigationSample sample = told.next(); sample.time_s < last_echo_s + interval_s; sample = told.next())
+        navigation_.add({info_.start + microsecondsFromSeconds(sample.time_s), sample.pose});
 }
 
 std::optional<Ping> SimulatedSource::next() {
@@ -65,6 +72,7 @@ std::vector<TruthSample> SimulatedSource::truth() const {
 }
 
 Result<std::unique_ptr<SimulatedSource>> openSimulation(std::string_view name, std::uint64_t seed) {
+    if (name == "demo") name = "demonstration";
     std::string known;
     for (const Scenario& scenario : scenarios()) {
         if (scenario.name == name) return std::make_unique<SimulatedSource>(scenario, seed);

@@ -19,6 +19,9 @@ struct TruthSample {
     double east_m = 0.0;
     double velocity_north_mps = 0.0;
     double velocity_east_mps = 0.0;
+    double range_m = 0.0;  ///< from the head
+    Bearing from_bow;
+    bool in_beam = false;  ///< this ping's lobe is on it
     bool visible = false;  ///< inside the scanned sector and range, whatever way the beam looks just now
 };
 
@@ -31,7 +34,7 @@ public:
     void rewind() override { next_ = 0; }
     const SourceInfo& info() const override { return info_; }
     SourceCounts counts() const override { return {}; }
-    /// The vehicle's true poses, one every 50 ms, until the last echo has come back.
+    /// The vehicle's poses as its navigation tells them, one every 50 ms, until the last echo has come back.
     const PoseHistory& navigation() const override { return navigation_; }
 
     const Scenario& scenario() const { return scenario_; }
@@ -46,7 +49,7 @@ private:
     PoseHistory navigation_;
 };
 
-/// A built-in scenario by its name. The error names them all.
+/// A built-in scenario by its name; "demo" is the demonstration. The error names them all.
 Result<std::unique_ptr<SimulatedSource>> openSimulation(std::string_view name, std::uint64_t seed);
 
 }  // namespace echotrail

@@ -75,6 +75,19 @@ TEST(SimulatedSource, TheDemonstrationIsTheScenarioOfThatName) {
     EXPECT_EQ(take(**demonstration, 5), take(*open("demonstration", 5), 5));
 }
 
+TEST(SimulatedSource, DemoIsShortForTheDemonstration) {
+    EXPECT_EQ(take(*open("demo", 5), 5), take(*open("demonstration", 5), 5));
+}
+
+TEST(SimulatedSource, TheBeamIsOnATargetOnceASweep) {
+    Scenario scenario;
+    scenario.duration_s = 5.2;
+    scenario.targets = {{.path = {{0, 20, 0}}}};
+    int on = 0;
+    for (const TruthSample& sample : SimulatedSource(scenario, 1).truth()) on += sample.in_beam ? 1 : 0;
+    EXPECT_EQ(on, 1);  // half the lobe is narrower than a step
+}
+
 TEST(SimulatedSource, NavigationBetweenItsSamplesAgreesWithTheMotion) {
     const auto source = open("demonstration");
     while (const auto ping = source->next()) {
