@@ -18,4 +18,7 @@ Command addReplayCommand(CLI::App& program);
 /// `echotrail info`: what is in a recording.
 Command addInfoCommand(CLI::App& program);
 
+/// `echotrail verify`: whether a recording gives its tracks again.
+Command addVerifyCommand(CLI::App& program);
+
 }  // namespace echotrail

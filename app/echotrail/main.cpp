@@ -4,6 +4,8 @@
 
 #include <csignal>
 #include <exception>
+#include <map>
+#include <string>
 
 namespace {
 
@@ -13,15 +15,16 @@ ExitCode runCommand(int argc, char** argv) {
     CLI::App program{"Echotrail without a screen: sonar recordings in, tracked targets out.", "echotrail"};
     program.set_version_flag("--version", ECHOTRAIL_VERSION);
     program.require_subcommand(1);
-    const echotrail::Command replay = echotrail::addReplayCommand(program);
-    const echotrail::Command info = echotrail::addInfoCommand(program);
+    const std::map<std::string, echotrail::Command> commands{{"replay", echotrail::addReplayCommand(program)},
+                                                             {"verify", echotrail::addVerifyCommand(program)},
+                                                             {"info", echotrail::addInfoCommand(program)}};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return static_cast<ExitCode>(program.exit(error));  // help was asked for
         return echotrail::fail(ExitCode::Usage, std::string(error.what()) + "; see echotrail --help");
     }
-    return program.got_subcommand("replay") ? replay() : info();
+    return commands.at(program.get_subcommands().front()->get_name())();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "core/navigation/navigation_file.hpp"
 #include "core/runtime/denormals.hpp"
+#include "recorded_run.hpp"
 #include "replay_options.hpp"
 #include "replay_progress.hpp"
 #include "tracks_writer.hpp"
@@ -24,12 +25,14 @@ void catchInterrupts() {
 /// One replay: a source, the pipeline, and what is written about it.
 class Replay {
 public:
-    Replay(const ReplayOptions& options, PingSource& source, const PoseHistory& navigation, TracksWriter* tracks)
+    Replay(const ReplayOptions& options, RecordedRunSettings settings, PingSource& source,
+           const PoseHistory& navigation, TracksWriter* tracks)
         : options_(options),
+          settings_(std::move(settings)),
           source_(source),
           navigation_(navigation),
           tracks_(tracks),
-          pipeline_(options.settings.params, options.seed),
+          pipeline_(settings_.params(), settings_.seed()),
           progress_(source.info(), options.timings) {
         pipeline_.setFanPainting(options.paint_fan);
         if (options.target) pipeline_.designate(options.target->range_m, options.target->from_bow);
@@ -39,6 +42,7 @@ public:
         while (const auto ping = nextPing()) {
             if (!first_) first_ = ping->time;
             last_ = ping->time;
+            settings_.apply(source_.takeControls(), pipeline_);
             waitFor(ping->time);
             ++pings_;
             progress_.begin();
@@ -56,7 +60,8 @@ public:
     nlohmann::ordered_json summary(const nlohmann::ordered_json& navigation) const {
         const SourceCounts counts = source_.counts();
         nlohmann::ordered_json summary{{"source", source_.info().name},
-                                       {"seed", options_.seed},
+                                       {"seed", settings_.seed()},
+                                       {"overridden", settings_.overridden()},
                                        {"pings", pings_},
                                        {"rejected", nlohmann::ordered_json::object()},
                                        {"ignored", nlohmann::ordered_json::object()},
@@ -108,6 +113,7 @@ private:
     }
 
     const ReplayOptions& options_;
+    RecordedRunSettings settings_;
     PingSource& source_;
     const PoseHistory& navigation_;
     TracksWriter* tracks_;
@@ -186,7 +192,10 @@ ExitCode replay(const ReplayArguments& arguments) {
     cv::setNumThreads(1);  // one core is what a vehicle can spare, and results must not depend on the number
     flushDenormals();
     catchInterrupts();
-    Replay run(*options, **source, navigation, tracks.get());
+    auto run_settings = RecordedRunSettings::of(
+        **source, {options->parameter_files, options->assignments, options->seed, options->target.has_value()});
+    if (!run_settings) return fail(ExitCode::Usage, run_settings.error());
+    Replay run(*options, *std::move(run_settings), **source, navigation, tracks.get());
     if (const auto done = run.run(); !done) return fail(ExitCode::Failed, done.error());
     if (options->timings) run.tellTimings(std::cerr);
     return conclude(run.summary(tellNavigation(file, **source)), tracks.get());

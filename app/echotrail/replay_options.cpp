@@ -28,7 +28,8 @@ Result<ReplayOptions::Target> targetFrom(const std::string& text) {
 }  // namespace
 
 void addReplayOptions(CLI::App& command, ReplayArguments& a) {
-    command.add_option("SOURCE", a.source, "Recording (.V4LOG or raw .bin), or simulation://NAME?seed=N")->required();
+    command.add_option("SOURCE", a.source, "Recording (.echotrail, .V4LOG or raw .bin), or simulation://NAME?seed=N")
+        ->required();
     command.add_option("--speed", a.speed, "max, or times real time (default max)");
     command.add_option("--navigation", a.navigation,
                        "File of NMEA 0183 lines with TAG block times, for a recording without navigation");
@@ -38,7 +39,8 @@ void addReplayOptions(CLI::App& command, ReplayArguments& a) {
                        "head at the first ping (default: none designated)");
     command.add_option("--parameters", a.parameter_files, "TOML file of parameters; may be given more than once");
     command.add_option("--set", a.assignments, "NAME=VALUE of one parameter; may be given more than once");
-    command.add_option("--seed", a.seed, "Seed of the random numbers (default 0)")->check(CLI::NonNegativeNumber);
+    command.add_option("--seed", a.seed, "Seed of the random numbers (default 0, or that of the recording)")
+        ->check(CLI::NonNegativeNumber);
     command.add_option("--duration", a.duration_s, "Stop after so many seconds of the recording (default: its end)")
         ->check(CLI::PositiveNumber);
     command.add_flag("--no-fan", a.no_fan, "Do not paint the fan image: tracks only, and faster");
@@ -49,6 +51,8 @@ void addReplayOptions(CLI::App& command, ReplayArguments& a) {
 Result<ReplayOptions> checkReplayOptions(const ReplayArguments& a) {
     ReplayOptions options{
         .navigation = a.navigation, .tracks = a.tracks, .seed = a.seed, .paint_fan = !a.no_fan, .timings = a.timings};
+    options.parameter_files = a.parameter_files;
+    options.assignments = a.assignments;
     auto source = parseSourceAddress(a.source);
     if (!source) return Error{source.error()};
     options.source = *std::move(source);

@@ -17,7 +17,7 @@ namespace echotrail {
 struct ReplayArguments {
     std::string source, speed = "max", navigation, tracks, target;
     std::vector<std::string> parameter_files, assignments;
-    std::uint64_t seed = 0;
+    std::optional<std::uint64_t> seed;
     double duration_s = 0.0;  ///< 0: to the end
     bool no_fan = false, timings = false;
 };
@@ -30,11 +30,12 @@ struct ReplayOptions {
     };
     SourceAddress source;
     Settings settings;
-    std::optional<double> speed;  ///< times real time; none: as fast as it goes
+    std::vector<std::string> parameter_files, assignments;  ///< to set over what a recording brings
+    std::optional<double> speed;                            ///< times real time; none: as fast as it goes
     std::optional<Target> target;
     std::string navigation;  ///< file of NMEA lines, or nothing
     std::string tracks;      ///< file, "-" or nothing
-    std::uint64_t seed = 0;
+    std::optional<std::uint64_t> seed;
     std::optional<double> duration_s;
     bool paint_fan = true, timings = false;
 };

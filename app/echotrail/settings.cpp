@@ -21,8 +21,9 @@ std::string limitsOf(const ParameterInfo& info) {
 
 }  // namespace
 
-Result<Settings> readSettings(const std::vector<std::string>& files, const std::vector<std::string>& assignments) {
-    Settings settings;
+Result<Settings> readSettings(const std::vector<std::string>& files, const std::vector<std::string>& assignments,
+                              const ScanningSonarPipeline::Params& base) {
+    Settings settings{.params = base};
     bool sets_sound_speed = false;
     for (const std::string& file : files) {
         if (const auto applied = applyParameterFile(settings.params, file); !applied) return Error{applied.error()};
