@@ -145,7 +145,9 @@ Result<void> LogReader::openParts(const std::string& path) {
         // A part that cannot say whose it is counts as one of ours: its rows have their own check sums.
         const LogHeader theirs = headerOf(one->get());
         const bool silent = theirs.started == Timestamp{};
-        if (!silent && (theirs.started != header_.started || theirs.seed != header_.seed)) continue;
+        const bool ours = theirs.started == header_.started && theirs.seed == header_.seed &&
+                          sessionValue(one->get(), "part") == std::to_string(part);
+        if (!silent && !ours) continue;
         missing_parts_ += static_cast<std::uint64_t>(std::max(0, part - expected));
         expected = part + 1;
         closed_ &= !hasWal(part_path);

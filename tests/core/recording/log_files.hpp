@@ -49,7 +49,7 @@ inline Event eventOf(std::uint64_t number, std::size_t bytes = 900) {
     Event event{number, EventKind::SonarBytes, {}, std::chrono::milliseconds(50 * number), ByteVector(bytes)};
     event.utc = log_start + event.monotonic;
     for (std::size_t i = 0; i < bytes; ++i)
-        event.payload[i] = static_cast<std::uint8_t>(number * 31 + i * (number % 7));
+        event.payload[i] = static_cast<std::uint8_t>(number * 31 + i * (number % 7 + 1));
     return event;
 }
 
