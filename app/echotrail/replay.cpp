@@ -184,9 +184,10 @@ ExitCode replay(const ReplayArguments& arguments) {
     const PoseHistory& navigation = file ? file->poses : (*source)->navigation();
     std::unique_ptr<TracksWriter> tracks;
     if (!options->tracks.empty()) {
-        auto opened = TracksWriter::open(options->tracks, (*source)->info().start);
+        auto opened = TracksWriter::open(options->tracks);
         if (!opened) return fail(ExitCode::Failed, opened.error());
         tracks = *std::move(opened);
+        tracks->setFirstPing((*source)->info().start);
     }
 
     cv::setNumThreads(1);  // one core is what a vehicle can spare, and results must not depend on the number

@@ -38,8 +38,8 @@ nlohmann::ordered_json trackLine(const TrackLook& look, Timestamp first_ping) {
             {"seen", look.seen}};
 }
 
-Result<std::unique_ptr<TracksWriter>> TracksWriter::open(const std::string& path, Timestamp first_ping) {
-    std::unique_ptr<TracksWriter> writer(new TracksWriter(path, first_ping));
+Result<std::unique_ptr<TracksWriter>> TracksWriter::open(const std::string& path) {
+    std::unique_ptr<TracksWriter> writer(new TracksWriter(path));
     if (path == "-") {
         writer->out_ = &std::cout;
         return writer;

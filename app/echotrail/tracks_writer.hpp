@@ -20,7 +20,9 @@ namespace echotrail {
 class TracksWriter {
 public:
     /// `path` is a file, or "-" for standard output. The error says why it cannot be written.
-    static Result<std::unique_ptr<TracksWriter>> open(const std::string& path, Timestamp first_ping);
+    static Result<std::unique_ptr<TracksWriter>> open(const std::string& path);
+    /// What `t` counts from; needed before the first look.
+    void setFirstPing(Timestamp time) { first_ping_ = time; }
 
     /// Takes in the looks of an update, after which none from before `settled` can follow; fails when the medium takes
     /// no more.
@@ -30,13 +32,13 @@ public:
     std::uint64_t lateLooks() const { return late_; }
 
 private:
-    TracksWriter(std::string path, Timestamp first_ping) : path_(std::move(path)), first_ping_(first_ping) {}
+    explicit TracksWriter(std::string path) : path_(std::move(path)) {}
     Result<void> writeUntil(Timestamp time);
 
     std::string path_;
     std::ofstream file_;
     std::ostream* out_ = nullptr;
-    Timestamp first_ping_;
+    Timestamp first_ping_{};
     std::multimap<Timestamp, TrackLook> held_;
     std::optional<Timestamp> written_until_;
     std::uint64_t late_ = 0;

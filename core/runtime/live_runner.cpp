@@ -36,11 +36,17 @@ LiveRunner::LiveRunner(const Params& params, std::uint64_t seed, std::unique_ptr
     thread_ = std::jthread([this] { run(); });
 }
 
-LiveRunner::~LiveRunner() { finish(); }
+LiveRunner::~LiveRunner() {
+    finish();
+    closeLog();
+}
 
 void LiveRunner::finish() {
     events_.close();
     if (thread_.joinable()) thread_.join();
+}
+
+void LiveRunner::closeLog() {
     if (recorder_) recorder_->close();
 }
 
@@ -153,7 +159,7 @@ void LiveRunner::apply(const RunControl& control) {
 void LiveRunner::tell(const Update& update, Timestamp settled) {
     for (const TrackLook& look : update.looks) record({UpdateKind::Track, look.time, lookText(look)});
     for (const Region& region : update.regions) record({UpdateKind::Region, update.time, regionText(region)});
-    if (listener_) listener_(update, settled);
+    if (listener_) listener_(update, settled, pipeline_);
 }
 
 void LiveRunner::updateStatus(Microseconds arrived) {

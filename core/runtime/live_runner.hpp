@@ -48,7 +48,7 @@ class LiveRunner {
 public:
     using Params = ScanningSonarPipeline::Params;
     /// An update, and the moment before which none can follow.
-    using Listener = std::function<void(const Update&, Timestamp settled)>;
+    using Listener = std::function<void(const Update&, Timestamp settled, const ScanningSonarPipeline&)>;
 
     /// Without `log` nothing is recorded.
     LiveRunner(const Params& params, std::uint64_t seed, std::unique_ptr<LogWriter> log, Listener listener = {});
@@ -64,8 +64,10 @@ public:
     void annotate(const std::string& remark);
     void setFanPainting(bool on) { paint_fan_ = on; }
 
-    /// Ends the run: everything posted is taken in, the last sweep is closed, the log too.
+    /// Ends the run: everything posted is taken in and the last sweep closed.
     void finish();
+    /// After finish(), and what is still to be recorded (the summary): waits until all of it is on disk.
+    void closeLog();
 
     Latest<Scene>& scenes() { return scenes_; }
     LiveStatus status() const;

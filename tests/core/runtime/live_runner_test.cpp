@@ -87,7 +87,7 @@ TEST_F(Live, ItsRecordingGivesTheSameLooksBitForBit) {
     std::vector<std::string> live;
     const LiveRunner::Params params;
     {
-        LiveRunner runner(params, 5, log(5, params), [&](const Update& update, Timestamp) {
+        LiveRunner runner(params, 5, log(5, params), [&](const Update& update, Timestamp, const ScanningSonarPipeline&) {
             for (const TrackLook& look : update.looks) live.push_back(lookText(look));
         });
         runner.designate(20.0, Bearing::degrees(0.0));
@@ -109,6 +109,7 @@ TEST_F(Live, ItsRecordingGivesTheSameLooksBitForBit) {
             ++sent;
         }
         runner.finish();
+        runner.closeLog();
         EXPECT_EQ(runner.status().pings, 407u);
         EXPECT_EQ(runner.status().counts.rejected.at("cut_frame"), 1u);
         EXPECT_FALSE(runner.status().recorder.recording);
