@@ -91,11 +91,29 @@ private:
     double noise_db_;
 };
 
-/// Speckle: the power of a complex Gaussian echo, or the mean of several.
-double specklePower(RandomStream& random, int looks) {
-    double sum = 0.0;
-    for (int look = 0; look < looks; ++look) sum -= std::log(random.uniform());
-    return sum / looks;
+/// Speckle: the power of a complex Gaussian echo, one per bin, or the mean of several. A pulse of `pulse_bins` meets
+/// the scatterers of several bins at once, so that neighbours are alike. Unit mean.
+std::vector<double> speckle(std::uint64_t seed, std::uint64_t number, int bins, int looks, double pulse_bins) {
+    const auto whole = static_cast<std::size_t>(std::max(pulse_bins, 1.0));
+    const double rest = std::max(pulse_bins, 1.0) - static_cast<double>(whole);
+    const double norm = 2.0 * looks * (static_cast<double>(whole) + rest * rest);
+    const auto count = static_cast<std::size_t>(bins);
+    std::vector<float> real(count + whole), imaginary(count + whole);
+    std::vector<double> power(count);
+    RandomStream random(seed, speckle_numbers, number);
+    for (int look = 0; look < looks; ++look) {
+        random.fillGaussian(real);
+        random.fillGaussian(imaginary);
+        for (std::size_t i = 0; i < count; ++i) {
+            double x = rest * real[i + whole], y = rest * imaginary[i + whole];
+            for (std::size_t k = i; k < i + whole; ++k) {
+                x += real[k];
+                y += imaginary[k];
+            }
+            power[i] += (x * x + y * y) / norm;
+        }
+    }
+    return power;
 }
 
 }  // namespace
@@ -122,11 +140,12 @@ std::vector<std::uint8_t> simulateEcho(const Scenario& scenario, std::uint64_t s
     Scene scene(scenario, seed, head, std::max(time_s, 0.0));
     const double absorption = acoustics::absorption(head.frequency_hz);
     const double gain_db = scenario.gain_db + (head.gain_db - usual_head.gain_db);
-    RandomStream speckle(seed, speckle_numbers, number);
+    const double pulse_m = 0.5e-6 * scenario.pulse_us * head.sound_speed;
+    const auto grain = speckle(seed, number, head.bins, scenario.looks, pulse_m / head.binSize());
     for (int i = 0; i < head.bins; ++i) {
         const double range_m = (i + 0.5) * head.binSize();
         const double loss_db = 40.0 * std::log10(range_m) + 2.0 * absorption * range_m;
-        const double power = scene.powerAt(range_m, loss_db) * specklePower(speckle, scenario.looks);
+        const double power = scene.powerAt(range_m, loss_db) * grain[static_cast<std::size_t>(i)];
         const double uncompensated_db = std::max(loss_db - most_compensation_db, 0.0);
         const double echo_db = decibels(power) - uncompensated_db - level_zero_db + gain_db;
         const double ring_db = full_scale_db * (1.0 - range_m / ring_down_m);  // the same for every ping

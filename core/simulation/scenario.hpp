@@ -87,8 +87,9 @@ struct Scenario {
     double sector_half_width_deg = 45.0;  ///< a whole number of steps; scanned to and fro about the bow
     double step_deg = 1.8;
     double frequency_khz = 325.0;
-    double gain_db = 0.0;  ///< 0 shows a scatterer of -60 dB as level 0
-    int looks = 1;         ///< independent echoes averaged in a bin
+    double gain_db = 0.0;     ///< 0 shows a scatterer of -60 dB as level 0
+    double pulse_us = 130.0;  ///< length of the pulse, as told from the grain of real heads' pictures
+    int looks = 1;            ///< independent echoes averaged in a bin
     double water_depth_m = 10.0;
     double altitude_m = 5.0;        ///< of the head above the bottom, in the mean
     double altitude_swing_m = 0.0;  ///< the bottom rises and falls below it by so much

@@ -83,6 +83,7 @@ struct Described<Scenario> {
         Field{&Scenario::step_deg, "step_deg", "deg", 0.05625, 14.34375, "Turn of the beam between pings"},
         Field{&Scenario::frequency_khz, "frequency_khz", "kHz", 100, 2000, "Frequency"},
         Field{&Scenario::gain_db, "gain_db", "dB", -60, 60, "Gain at the head's usual setting"},
+        Field{&Scenario::pulse_us, "pulse_us", "us", 0, 5000, "Length of the pulse"},
         Field{&Scenario::looks, "looks", "", 1, 100, "Independent echoes averaged in a bin"},
         Field{&Scenario::water_depth_m, "water_depth_m", "m", 0.5, 11000, "Depth of the water"},
         Field{&Scenario::altitude_m, "altitude_m", "m", 0.1, 11000, "Mean height of the head above the bottom"},

@@ -139,6 +139,45 @@ TEST(PingModel, ReverberationIsSingleLookSpeckle) {
     EXPECT_NEAR(std::sqrt(squares / count - mean * mean), 5.57, 0.3);
 }
 
+/// Correlation of the levels of neighbouring bins that have the same mean over many pings.
+double likenessOfNeighbours(const Scenario& scene) {
+    constexpr int count = 3000;
+    double sum = 0.0, product = 0.0, square = 0.0;
+    for (std::uint64_t number = 0; number < count; ++number) {
+        const auto levels = simulateEcho(scene, 9, HeadSetup{}, 0.0, number);
+        const double first = levels[480], second = levels[481];
+        sum += (first + second) / 2.0;
+        product += first * second;
+        square += (first * first + second * second) / 2.0;
+    }
+    const double mean_square = sum / count * sum / count;
+    return (product / count - mean_square) / (square / count - mean_square);
+}
+
+TEST(PingModel, NeighbouringBinsAreAlikeByTheLengthOfThePulse) {
+    Scenario scene = stillWater();
+    scene.pulse_us = 0.0;
+    EXPECT_NEAR(likenessOfNeighbours(scene), 0.0, 0.06);
+    scene.pulse_us = 400.0;  // nearly 5 bins: (1 - 1/4.8)^2 = 0.63 of powers
+    EXPECT_GT(likenessOfNeighbours(scene), 0.45);
+}
+
+TEST(PingModel, SeveralLooksNarrowTheSpeckle) {
+    Scenario scene = stillWater();
+    const auto spread = [&] {
+        double sum = 0.0, squares = 0.0;
+        for (std::uint64_t number = 0; number < 2000; ++number) {
+            const double db = simulateEcho(scene, 9, HeadSetup{}, 0.0, number)[490] / levels_per_db;
+            sum += db / 2000.0;
+            squares += db * db / 2000.0;
+        }
+        return std::sqrt(squares - sum * sum);
+    };
+    EXPECT_NEAR(spread(), 5.57, 0.3);
+    scene.looks = 4;
+    EXPECT_NEAR(spread(), 2.31, 0.2);  // 4.343 sqrt(trigamma(4))
+}
+
 TEST(PingModel, TransducerRingsInTheFirstMetreOnly) {
     const Ping ping = simulatePing(Scenario{}, 1, 0);
     EXPECT_EQ(ping.levels[0], std::lround(255.0 * (1.0 - 0.5 / 16.0)));
