@@ -1,0 +1,186 @@
+#include "core/base/random.hpp"
+#include "core/seanet/head_session.hpp"
+#include "tests/core/seanet/fake_head.hpp"
+
+#include <gtest/gtest.h>
+
+namespace echotrail::seanet {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(HeadSession, AChangeWhileScanningIsConfirmedByTheHeadsOwnReply) {
+    for (const bool half_duplex : {false, true}) {
+        Conversation talk({.half_duplex = half_duplex});
+        talk.run(8);
+        talk.session.setSettings(talk.now, {.range_m = 20, .sector_width_deg = 60});
+        EXPECT_EQ(talk.status().confirmed->range_m, 50);  // not before the head says so
+        talk.run(1);
+        EXPECT_EQ(talk.status().confirmed->range_m, 20);
+        EXPECT_EQ(talk.status().difference, "");
+        EXPECT_EQ(talk.heard(MessageId::HeadCommand), 2);
+        EXPECT_EQ(talk.head.offences, std::vector<std::string>());
+    }
+}
+
+TEST(HeadSession, AGainSliderSendsTheShortFormNoFasterThanLinesCome) {
+    for (const bool half_duplex : {false, true}) {
+        Conversation talk({.half_duplex = half_duplex});
+        talk.run(8);
+        const auto before = talk.status().pings;
+        for (int i = 0; i <= 50; ++i) {
+            talk.session.setSettings(talk.now, {.gain_percent = 20.0 + i});
+            talk.run(0.004);
+        }
+        const auto lines = static_cast<int>(talk.status().pings - before);
+        EXPECT_LE(talk.head.gains_heard, lines + 1);
+        talk.run(1);
+        EXPECT_NEAR(talk.status().confirmed->gain_percent, 70, 0.25);
+        EXPECT_EQ(talk.heard(MessageId::HeadCommand), 1 + talk.head.gains_heard);  // one full command, at first
+        EXPECT_EQ(talk.head.offences, std::vector<std::string>());
+    }
+}
+
+TEST(HeadSession, TheSameSettingsAgainSendNothing) {
+    Conversation talk;
+    talk.run(8);
+    talk.session.setSettings(talk.now, HeadSettings{});
+    talk.run(1);
+    EXPECT_EQ(talk.heard(MessageId::HeadCommand), 1);
+}
+
+TEST(HeadSession, AHeadThatDoesNotObeyIsToldAgainAFewTimesAndThenToldOf) {
+    Conversation talk;
+    talk.run(8);
+    talk.head.obeys = false;
+    talk.session.setSettings(talk.now, {.range_m = 20});
+    talk.run(10);
+    EXPECT_EQ(talk.status().state, HeadState::Polling);
+    EXPECT_EQ(talk.status().difference, "range is 50 m, not 20 m");
+    EXPECT_NE(talk.status().advice.find("range is 50 m"), std::string::npos);
+    EXPECT_EQ(talk.heard(MessageId::HeadCommand), 5);
+}
+
+TEST(HeadSession, AHeadThatSaysItWasResetIsToldItsParametersAgain) {
+    Conversation talk;
+    talk.run(8);
+    talk.head.line_status = 0x11;
+    talk.run(0.1);
+    talk.head.line_status = 0x10;
+    talk.run(1);
+    EXPECT_EQ(talk.heard(MessageId::HeadCommand), 2);
+    EXPECT_EQ(talk.heard(MessageId::ReBoot), 0);
+}
+
+TEST(HeadSession, AMotorThatStaysOutOfStepIsRebootedOnceAMinute) {
+    Conversation talk;
+    talk.run(8);
+    talk.head.line_status = 0x12;
+    talk.run(30);
+    EXPECT_EQ(talk.heard(MessageId::ReBoot), 1);
+    EXPECT_EQ(talk.status().state, HeadState::Polling);
+    EXPECT_NE(talk.status().advice.find("motor"), std::string::npos);
+    talk.head.line_status = 0x10;
+    talk.run(1);
+    EXPECT_EQ(talk.status().advice, "");
+}
+
+TEST(HeadSession, AfterABreakAHeadThatStillHasOurParametersGoesOnWithoutAReboot) {
+    for (const bool half_duplex : {false, true}) {
+        Conversation talk({.half_duplex = half_duplex});
+        talk.run(8);
+        talk.session.linkDown(talk.now);
+        EXPECT_EQ(talk.status().state, HeadState::NoLink);
+        EXPECT_FALSE(talk.session.deadline());
+        talk.run(3);
+        const auto before = talk.status().pings;
+        talk.session.linkUp(talk.now);
+        talk.run(4);
+        EXPECT_GT(talk.status().pings, before + 20);
+        EXPECT_EQ(talk.heard(MessageId::ReBoot), 0);
+        EXPECT_EQ(talk.heard(MessageId::HeadCommand), 1);
+        EXPECT_EQ(talk.head.offences, std::vector<std::string>());
+    }
+}
+
+TEST(HeadSession, WhatWasSetDuringABreakIsToldAfterIt) {
+    Conversation talk;
+    talk.run(8);
+    talk.session.linkDown(talk.now);
+    talk.session.setSettings(talk.now, {.range_m = 30});
+    talk.run(1);
+    talk.session.linkUp(talk.now);
+    talk.run(4);
+    EXPECT_EQ(talk.status().confirmed->range_m, 30);
+    EXPECT_EQ(talk.heard(MessageId::ReBoot), 0);
+}
+
+TEST(HeadSession, AfterABreakOtherParametersMeanAFreshStart) {
+    Conversation talk;
+    talk.run(8);
+    talk.session.linkDown(talk.now);
+    talk.run(1);
+    talk.head.command.range_scale = 100;  // somebody else was there
+    talk.session.linkUp(talk.now);
+    talk.run(15);
+    EXPECT_EQ(talk.heard(MessageId::ReBoot), 1);
+    EXPECT_EQ(talk.status().state, HeadState::Polling);
+    EXPECT_EQ(talk.status().difference, "");
+}
+
+TEST(HeadSession, NothingIsSentWithoutALink) {
+    HeadSession session{HeadSettings{}};
+    session.received(0s, encodeHeadData(HeadData{}));
+    session.setSettings(1s, {.range_m = 30});
+    session.tick(2s);
+    EXPECT_FALSE(session.takeOutput());
+    session.linkUp(3s);
+    session.tick(4s);
+    session.linkDown(4s);
+    EXPECT_FALSE(session.takeOutput());
+}
+
+TEST(HeadSession, ALineThatComesSlowlyIsWaitedFor) {
+    Conversation talk({.half_duplex = true});
+    talk.run(8);
+    talk.wire_in = false;
+    talk.head.line_time = 10s;  // the head itself is busy; the bytes below are its line over a slow link
+    const auto timeouts = talk.status().timeouts;
+    talk.run(0.2);
+    const auto bytes = encodeHeadData(talk.head.line());
+    for (std::size_t at = 0; at < bytes.size(); at += 10) {
+        talk.session.received(talk.now, Bytes(bytes).subspan(at, std::min<std::size_t>(10, bytes.size() - at)));
+        talk.run(0.03);
+    }
+    EXPECT_EQ(talk.status().timeouts, timeouts);
+}
+
+TEST(HeadSession, SurvivesDamagedBytesOfAllKindsAndGoesOnWhenTheyEnd) {
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        Conversation talk({.digital = seed % 2 == 1, .half_duplex = seed % 4 > 1});
+        RandomStream random(seed, 0, 0);
+        const Microseconds end = 60s;
+        for (; talk.now < end; talk.now += 2ms) {
+            for (FrameBytes frame : talk.head.speak(talk.now)) {
+                if (random.uniform() < 0.3)
+                    frame.resize(static_cast<std::size_t>(random.uniform() * static_cast<double>(frame.size())));
+                if (!frame.empty() && random.uniform() < 0.3)
+                    frame[static_cast<std::size_t>(random.uniform() * static_cast<double>(frame.size()))] ^= 0x55;
+                for (int times = random.uniform() < 0.1 ? 2 : 1; times > 0; --times)
+                    talk.session.received(talk.now, frame);
+            }
+            talk.session.tick(talk.now);
+            while (const auto frame = talk.session.takeOutput())
+                if (random.uniform() < 0.8) talk.head.take(talk.now, *frame);
+        }
+        talk.run(60);
+        EXPECT_EQ(talk.status().state, HeadState::Polling) << seed;
+        EXPECT_EQ(talk.status().difference, "") << seed;
+        EXPECT_GT(talk.status().rejected, 0u);
+        for (const std::string& offence : talk.head.offences)
+            EXPECT_FALSE(offence.starts_with("must not") || offence.starts_with("not one")) << offence;
+    }
+}
+
+}  // namespace
+}  // namespace echotrail::seanet
