@@ -168,6 +168,7 @@ struct Conversation {
             for (const FrameBytes& frame : head.speak(now))
                 if (wire_in) session.received(now, frame);
             session.tick(now);
+            if (session.deadline() && *session.deadline() <= now) head.offences.push_back("a deadline that is past");
             while (const auto frame = session.takeOutput()) head.take(now, *frame);
         }
     }

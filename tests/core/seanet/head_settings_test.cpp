@@ -1,6 +1,7 @@
 #include "core/base/random.hpp"
 #include "core/seanet/head_session.hpp"
 #include "tests/core/seanet/fake_head.hpp"
+#include "tests/core/seanet/test_bytes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -155,6 +156,50 @@ TEST(HeadSession, ALineThatComesSlowlyIsWaitedFor) {
     EXPECT_EQ(talk.status().timeouts, timeouts);
 }
 
+TEST(HeadSession, ALineInSeveralPacketsIsALine) {
+    Conversation talk;
+    talk.run(8);
+    const auto before = talk.status().pings;
+    talk.wire_in = false;
+    const auto payload = encodeHeadPayload(talk.head.line());
+    const Bytes bytes(payload);
+    for (std::size_t at = 0, packet = 0; at < bytes.size(); at += 110, ++packet) {
+        const std::size_t length = std::min<std::size_t>(110, bytes.size() - at);
+        const bool last = at + length == bytes.size();
+        const auto sequence = static_cast<std::uint8_t>(packet | (last ? 0x80 : 0));
+        talk.session.received(talk.now, makeFrame(2, 255, 2, sequence, 2, bytes.subspan(at, length)));
+    }
+    EXPECT_EQ(talk.status().pings, before + 1);
+    EXPECT_EQ(talk.status().difference, "");
+}
+
+TEST(HeadSession, TheSentencesOfARealHeadLeadThroughTheHandshake) {
+    if (sharedCapture("vectors/rep_mtAlive_5D.hex").empty()) GTEST_SKIP() << "needs the shared recordings";
+    HeadSession session{HeadSettings{}};
+    session.linkUp(0s);
+    const auto hear = [&](Microseconds now, const std::string& name) {
+        session.received(now, readHex(sharedCapture(name)));
+        session.tick(now);
+        return session.status().state;
+    };
+    const FrameBytes alive_5d = readHex(sharedCapture("vectors/rep_mtAlive_5D.hex"));
+    FrameBytes alive_4a = alive_5d;
+    alive_4a[20] = 0x4A;
+    EXPECT_EQ(hear(100ms, "vectors/rep_mtAlive_5D.hex"), HeadState::Identifying);
+    EXPECT_EQ(session.takeOutput(), encodeSendVersion());
+    hear(150ms, "seaking_dfs_v4log/rep_mtVersionData_seaking_dfs.hex");
+    EXPECT_EQ(session.takeOutput(), encodeSendBBUser());
+    EXPECT_EQ(hear(200ms, "seaking_dfs_v4log/rep_mtBBUserData_seaking_dfs.hex"), HeadState::Centring);
+    EXPECT_FALSE(session.takeOutput());
+    session.received(1s, alive_4a);
+    EXPECT_EQ(session.status().state, HeadState::Configuring);
+    EXPECT_EQ(session.takeOutput()->size(), 82u);
+    EXPECT_EQ(hear(2s, "vectors/rep_mtAlive_8A.hex"), HeadState::Polling);
+    EXPECT_EQ(session.takeOutput(), encodeSendData(2000));
+    EXPECT_FALSE(session.takeOutput());
+    EXPECT_TRUE(session.status().head.starts_with("SeaKing DFS"));
+}
+
 TEST(HeadSession, SurvivesDamagedBytesOfAllKindsAndGoesOnWhenTheyEnd) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         Conversation talk({.digital = seed % 2 == 1, .half_duplex = seed % 4 > 1});
@@ -170,6 +215,8 @@ TEST(HeadSession, SurvivesDamagedBytesOfAllKindsAndGoesOnWhenTheyEnd) {
                     talk.session.received(talk.now, frame);
             }
             talk.session.tick(talk.now);
+            ASSERT_TRUE(talk.session.deadline());
+            ASSERT_GT(*talk.session.deadline(), talk.now);
             while (const auto frame = talk.session.takeOutput())
                 if (random.uniform() < 0.8) talk.head.take(talk.now, *frame);
         }
