@@ -17,13 +17,18 @@ constexpr Microseconds answer_within = 1s, block_within = 2s, tail_within = 300m
 constexpr int version_tries = 5, block_tries = 2, command_tries = 3, most_reboots = 2, most_probes = 3;
 constexpr std::uint64_t enough_bytes = 64;  // to say that they mean nothing
 
+/// A head that holds parameters has been centred before, though a scan may have left it to one side.
+bool isCentred(const Alive& alive) {
+    return !alive.motoring() && (alive.centred() || (!alive.needsParameters() && !alive.inCentre()));
+}
+
 }  // namespace
 
 void HeadSession::listen(Microseconds now) {
     enter(Step::Listen, HeadState::Waiting, now);
     bytes_heard_ = text_heard_ = echoes_ = 0;
     other_node_.reset();
-    answered_ = false;
+    answered_ = told_since_line_ = false;
     alive_.reset();
     unlike_ = 0;
     if (!in_head_) {  // it may be another one by now
@@ -98,7 +103,7 @@ void HeadSession::centre(Microseconds now) {
     if (head_.block && !head_.block->has_motor) return configure(now);
     enter(Step::Centre, HeadState::Centring, now);
     deadline_ = now + alive_missing;
-    if (alive_ && alive_->centred() && !alive_->motoring() && now - alive_at_ < alive_missing) configure(now);
+    if (alive_ && isCentred(*alive_) && now - alive_at_ < alive_missing) configure(now);
 }
 
 void HeadSession::configure(Microseconds now) {
@@ -129,7 +134,7 @@ void HeadSession::takeAlive(Microseconds now, const Alive& alive) {
             }
             break;
         case Step::Centre:
-            if (alive.centred() && !alive.motoring()) configure(now);
+            if (isCentred(alive)) configure(now);
             break;
         case Step::Parameters:
             if (ready) poll(now);
@@ -156,16 +161,23 @@ void HeadSession::probe(Microseconds now) {
 }
 
 void HeadSession::takeVersion(Microseconds now, const VersionData& version) {
+    if (step_ != Step::Listen && step_ != Step::Version) return;  // said twice, or late
     const bool other =
         head_.version && (head_.version->serial != version.serial || head_.version->checksum != version.checksum);
     if (other) head_.block.reset();
     head_.version = version;
     refreshIdentity();
-    if (other && step_ == Step::Listen) in_head_.reset();
+    if (other) in_head_.reset();
     if (step_ == Step::Version) askBlock(now);
 }
 
 void HeadSession::takeBlock(Microseconds now, const BBUserData& block) {
+    constexpr std::uint16_t magic = 0x1234;
+    if (block.magic != magic) {
+        ++malformed_;
+        return;
+    }
+    if (head_.block && step_ != Step::Block) return;  // said twice
     head_.block = block;
     refreshIdentity();
     if (step_ != Step::Block) return;
@@ -212,7 +224,8 @@ void HeadSession::askAgain(Microseconds now, FrameBytes question, Microseconds w
 }
 
 void HeadSession::nothingHeard(Microseconds now) {
-    if (answered_ && now - std::max(since_, quiet_until_) >= patience) return foundRunning(now);  // alives were stopped
+    const Microseconds enough = in_head_ ? 2 * patience : patience;  // lines may get lost while it is probed
+    if (answered_ && now - std::max(since_, quiet_until_) >= enough) return foundRunning(now);  // alives were stopped
     if (!answered_) judgeSilence(now);
     output_.clear();
     send(encodeSendVersion(head_.node));

@@ -13,6 +13,9 @@ double codedKilohertz(int code) {
     return code < static_cast<int>(khz.size()) ? khz[static_cast<std::size_t>(code)] : 0.0;
 }
 
+/// There is no checksum: damage must not make a command of nonsense.
+bool isPlausible(double hz) { return hz >= 50e3 && hz <= 5e6; }
+
 std::string modelOf(const HeadIdentity& head) {
     if (!head.digital()) return head.twoChannels() ? "SeaKing DFS" : "SeaPrince or MiniKing";
     switch (head.block ? head.block->head_kind : 0) {
@@ -38,15 +41,17 @@ double HeadIdentity::frequencyHz(std::size_t channel) const {
     if (block && block->digital()) {
         const DigitalChannel& band = block->channel[channel];
         const double middle = (static_cast<double>(band.transmit_start_hz) + band.transmit_end_hz) / 2.0;
-        return channel == 0 && middle == 0.0 ? 700e3 : middle;
+        if (isPlausible(middle)) return middle;
+        return channel == 0 ? 700e3 : 0.0;  // a Micron's
     }
     if (digital()) return channel == 0 ? 700e3 : 0.0;  // a Micron's
     std::array<double, 2> khz{325.0, 675.0};           // a SeaKing's, where the head does not tell
-    if (block && block->transmit_khz[0] != 0)
+    if (block && isPlausible(block->transmit_khz[0] * 1000.0))
         khz = {static_cast<double>(block->transmit_khz[0]), static_cast<double>(block->transmit_khz[1])};
     else if (version && codedKilohertz(version->byte13 & 0x0F) > 0.0)
         khz = {codedKilohertz(version->byte13 & 0x0F), codedKilohertz(version->byte13 >> 4)};
-    if (channel == 1 && khz[1] == khz[0]) return 0.0;  // heads of one channel tell it twice
+    if (channel == 1 && (khz[1] == khz[0] || !isPlausible(khz[1] * 1000.0)))
+        return 0.0;  // heads of one channel tell it twice
     return khz[channel] * 1000.0;
 }
 

@@ -49,7 +49,7 @@ Microseconds HeadSession::lineTimeout() const {
 }
 
 void HeadSession::takeLine(Microseconds now, const HeadData& line) {
-    if (!head_.block && head_.device_type != line.device_type) {
+    if (!head_.block && head_.device_type == 0) {
         head_.device_type = line.device_type;
         refreshIdentity();
     }

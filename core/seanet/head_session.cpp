@@ -69,6 +69,7 @@ void HeadSession::takeFrame(Microseconds now, const Frame& frame) {
     if (const auto* alive = std::get_if<Alive>(&message)) takeAlive(now, *alive);
     if (const auto* version = std::get_if<VersionData>(&message)) takeVersion(now, *version);
     if (const auto* block = std::get_if<BBUserData>(&message)) takeBlock(now, *block);
+    if (const auto* other = std::get_if<OtherMessage>(&message)) malformed_ += other->malformed;
     // a digital head says this last of itself
     if (std::holds_alternative<FpgaVersionData>(message) && step_ == Step::BlockTail) centre(now);
 }
@@ -128,7 +129,7 @@ void HeadSession::refreshIdentity() {
 }
 
 void HeadSession::countRejected() {
-    status_.rejected = parser_.damagedStretches();
+    status_.rejected = malformed_ + parser_.damagedStretches();
     for (const auto& [cause, number] : assembler_.rejected()) status_.rejected += number;
 }
 

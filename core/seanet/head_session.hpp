@@ -127,6 +127,7 @@ private:
     std::uint64_t bytes_heard_ = 0, text_heard_ = 0, echoes_ = 0;
     std::optional<std::uint8_t> other_node_;
     bool answered_ = false;
+    std::uint64_t malformed_ = 0;  ///< whole frames whose content cannot be
 
     HeadCommand command_;                 ///< what the settings ask for
     std::optional<HeadCommand> in_head_;  ///< what it was last told, while it may still hold it

@@ -188,6 +188,15 @@ TEST(HeadConfiguration, OnlyAChangeOfGainFitsTheShortForm) {
     EXPECT_FALSE(differOnlyInGains(before, commandFor({.range_m = 30, .gain_percent = 50}, head)));
 }
 
+TEST(HeadConfiguration, DamagedFrequenciesMakeNoCommandOfNonsense) {
+    HeadIdentity dst = micron(), dfs = seaKing();
+    dst.block->channel[0] = dst.block->channel[1] = {.transmit_start_hz = 0xFFFFFFFF, .transmit_end_hz = 0xFFFFFFFF};
+    dfs.block->transmit_khz[0] = 0xFFFF;
+    EXPECT_NEAR(dst.frequencyHz(0), 700e3, 1);
+    EXPECT_FALSE(dst.twoChannels());
+    EXPECT_EQ(commandFor({}, dfs).transmit_word[0], 43'620'761u);  // as its version says
+}
+
 TEST(HeadConfiguration, RealHeadsAreNamedFromTheirReplies) {
     const std::string version = sharedCapture("seaking_dfs_v4log/rep_mtVersionData_seaking_dfs.hex");
     if (version.empty()) GTEST_SKIP() << "needs the shared recordings";

@@ -200,6 +200,29 @@ TEST(HeadSession, TheSentencesOfARealHeadLeadThroughTheHandshake) {
     EXPECT_TRUE(session.status().head.starts_with("SeaKing DFS"));
 }
 
+TEST(HeadSession, AnAliveDamagedToAResetCostsNoReboot) {
+    Conversation talk;
+    talk.run(8);
+    talk.session.received(talk.now,
+                          makeFrame(2, 255, 4, 0x80, 2, ByteWriter().u8(0).u32(0).u16(3200).u8(0x58).bytes()));
+    EXPECT_EQ(talk.status().head_resets, 1u);
+    talk.run(6);
+    EXPECT_EQ(talk.status().state, HeadState::Polling);
+    EXPECT_EQ(talk.heard(MessageId::ReBoot), 0);
+}
+
+TEST(HeadSession, ALateSecondNameDoesNotChangeHowTheHeadIsSpokenTo) {
+    Conversation talk({.digital = true});
+    talk.run(8);
+    talk.session.received(talk.now, makeFrame(2, 255, 1, 0x80, 2, std::vector<std::uint8_t>(11, 0xEE)));
+    talk.session.received(talk.now, makeFrame(2, 255, 6, 0x80, 2, std::vector<std::uint8_t>(250, 0xEE)));
+    talk.run(1);
+    EXPECT_TRUE(talk.status().digital);
+    EXPECT_FALSE(talk.status().half_duplex);
+    EXPECT_EQ(talk.heard(MessageId::HeadCommand), 1);
+    EXPECT_GE(talk.status().rejected, 1u);
+}
+
 TEST(HeadSession, SurvivesDamagedBytesOfAllKindsAndGoesOnWhenTheyEnd) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         Conversation talk({.digital = seed % 2 == 1, .half_duplex = seed % 4 > 1});

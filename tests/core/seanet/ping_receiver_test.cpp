@@ -1,7 +1,10 @@
 #include "core/seanet/ping_receiver.hpp"
 
+#include "tests/core/seanet/test_bytes.hpp"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace echotrail::seanet {
@@ -88,6 +91,20 @@ TEST(PingReceiver, AFrameUnfinishedAtTheEndIsCountedButNoLoss) {
     r.receiver.finish([](Ping&&) { FAIL(); });
     EXPECT_EQ(r.receiver.counts().lost_records, 0u);
     EXPECT_EQ(r.receiver.counts().ignored.at("unfinished frame"), 1u);
+}
+
+TEST(PingReceiver, ARealStreamInDatagramsLosesNothing) {
+    const std::string path = sharedCapture("seaking_dst_udp/sonar_stream_part1.bin");
+    if (path.empty()) GTEST_SKIP() << "needs the shared recordings";
+    const ByteVector bytes = readBytes(path);
+    Receiving r;
+    for (std::size_t at = 0, i = 0; at < bytes.size(); at += 104, ++i)
+        r.take(0.0097 * static_cast<double>(i),
+               Bytes(bytes).subspan(at, std::min<std::size_t>(104, bytes.size() - at)));
+    ASSERT_EQ(r.pings.size(), 509u);
+    EXPECT_EQ(r.receiver.counts().lost_records, 0u);
+    for (std::size_t i = 1; i < r.pings.size(); ++i)
+        EXPECT_NEAR(secondsBetween(r.pings[i - 1].time, r.pings[i].time), 0.0784, 0.012);
 }
 
 TEST(PingReceiver, ByteByByteGivesTheSameLevelsAsAtOnce) {
