@@ -14,8 +14,8 @@ constexpr std::string_view schema =
     "CREATE TABLE events(row INTEGER PRIMARY KEY, number INTEGER NOT NULL, kind INTEGER NOT NULL, utc_us INTEGER NOT "
     "NULL, monotonic_us INTEGER NOT NULL, chunk INTEGER NOT NULL, chunks INTEGER NOT NULL, crc INTEGER NOT NULL, "
     "payload BLOB NOT NULL);"
-    // The only question that is not asked in order of time; there are few of them.
-    "CREATE INDEX skipped ON events(number) WHERE kind = 8;"
+    // The only question that is not asked in order of time; the index holds the answer.
+    "CREATE INDEX skipped ON events(payload) WHERE kind = 8;"
     "CREATE TABLE results(row INTEGER PRIMARY KEY, kind INTEGER NOT NULL, utc_us INTEGER NOT NULL, crc INTEGER NOT "
     "NULL, payload BLOB NOT NULL);";
 
@@ -27,9 +27,8 @@ Result<std::unique_ptr<LogWriter>> LogWriter::create(const std::string& path, co
                                                      const LogOptions& options) {
     // A second part left over from another run would be in the way when this one gets there.
     std::error_code failure;
-    for (const std::string& taken : {path, log_format::partPath(path, 1)})
-        if (std::filesystem::exists(taken, failure))
-            return Error{"cannot record to " + path + ": " + taken + " exists; give another name"};
+    if (const std::string second = log_format::partPath(path, 1); std::filesystem::exists(second, failure))
+        return Error{"cannot record to " + path + ": " + second + " exists; give another name"};
     std::unique_ptr<LogWriter> writer(new LogWriter(path, header, options));
     if (auto begun = writer->beginPart(0); !begun) return Error{begun.error()};
     return writer;
@@ -48,7 +47,9 @@ Result<void> LogWriter::beginPart(int part) {
     const std::string made_as = path_ + "~";
     const auto fail = [&](const std::string& reason) { return Error{"cannot record to " + path_ + ": " + reason}; };
     std::error_code failure;
-    if (std::filesystem::exists(path_, failure)) return fail("the file exists");
+    // A write-ahead log left there alone would be taken for that of the new part.
+    for (const std::string& taken : {path_, path_ + "-wal", path_ + "-journal"})
+        if (std::filesystem::exists(taken, failure)) return fail(taken + " exists; give another name");
     for (const char* left_over : {"", "-wal", "-shm", "-journal"})
         std::filesystem::remove(made_as + left_over, failure);
     if (auto made = makePart(made_as); !made) return fail(made.error());
@@ -61,13 +62,15 @@ Result<void> LogWriter::beginPart(int part) {
 Result<void> LogWriter::makePart(const std::string& path) const {
     auto database = sqlite::open(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
     if (!database) return Error{database.error()};
-    const std::string set_up = "PRAGMA page_size = " + std::to_string(log_format::page_bytes) +
-                               "; PRAGMA application_id = " + std::to_string(log_format::application_id) +
-                               "; PRAGMA user_version = " + std::to_string(log_format::version) +
-                               "; PRAGMA synchronous = FULL; BEGIN;" + std::string(schema);
+    // Without a journal: a part half made is thrown away.
+    const std::string set_up =
+        "PRAGMA page_size = " + std::to_string(log_format::page_bytes) +
+        "; PRAGMA journal_mode = OFF; PRAGMA synchronous = FULL; BEGIN; PRAGMA application_id = " +
+        std::to_string(log_format::application_id) + "; PRAGMA user_version = " + std::to_string(log_format::version) +
+        ";" + std::string(schema);
     if (auto done = sqlite::execute(database->get(), set_up); !done) return done;
     if (auto done = writeHeader(database->get()); !done) return done;
-    return sqlite::execute(database->get(), "COMMIT");
+    return sqlite::execute(database->get(), "COMMIT; PRAGMA journal_mode = WAL;");
 }
 
 Result<void> LogWriter::openPart() {

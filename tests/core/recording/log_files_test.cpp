@@ -138,6 +138,16 @@ TEST_F(LogFiles, AHalfMadePartOfAKilledRunIsNoPartAndInNobodysWay) {
     EXPECT_FALSE(std::filesystem::exists(pathOf("b.echotrail~")));
 }
 
+TEST_F(LogFiles, AWriteAheadLogLeftAloneIsNotTakenForThatOfANewLog) {
+    leaveKilled(pathOf("a.echotrail"), eventsOf(40));
+    std::filesystem::remove(pathOf("a.echotrail"));
+    const auto before = content();
+    const auto writer = LogWriter::create(pathOf("a.echotrail"), headerOfARun());
+    ASSERT_FALSE(writer);
+    EXPECT_NE(writer.error().find("-wal exists"), std::string::npos) << writer.error();
+    EXPECT_EQ(content(), before);
+}
+
 TEST_F(LogFiles, WhatIsNoLogIsRefusedInOneLine) {
     put("a.echotrail", ByteVector(40'000, 'x'));
     put("b.echotrail", {});
