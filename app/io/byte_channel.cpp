@@ -1,18 +1,26 @@
 #include "app/io/byte_channel.hpp"
 
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
 #include <QFile>
 #include <QHostAddress>
 #include <QHostInfo>
+#include <QNetworkDatagram>
 #include <QSerialPort>
+#include <QSignalBlocker>
 #include <QTcpSocket>
 #include <QUdpSocket>
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace echotrail {
 namespace {
 
 constexpr int first_wait_ms = 250, longest_wait_ms = 5'000;
-constexpr int connect_patience_ms = 5'000, device_look_ms = 1'000;
+constexpr int connect_patience_ms = 5'000, device_look_ms = 1'000, unanswered_ms = 10'000;
 constexpr qint64 longest_queue_bytes = 64 * 1024;
 
 class SerialChannel final : public ByteChannel {
@@ -20,40 +28,43 @@ public:
     explicit SerialChannel(const LinkAddress& address) : ByteChannel(address) {
         connect(&port_, &QSerialPort::readyRead, this, [this] { take(port_.readAll()); });
         connect(&port_, &QSerialPort::errorOccurred, this, [this](QSerialPort::SerialPortError error) {
-            if (error == QSerialPort::NoError || error == QSerialPort::TimeoutError || !port_.isOpen()) return;
-            const QString reason = port_.errorString();
-            port_.close();
-            linkLost(reason);
+            if (error == QSerialPort::NoError || error == QSerialPort::TimeoutError || !isUp()) return;
+            lose(isThere() ? port_.errorString() : QStringLiteral("is gone; was it unplugged?"));
         });
         // An adapter that was pulled out does not always say so.
         connect(&look_, &QTimer::timeout, this, [this] {
-            if (!port_.isOpen() || QFile::exists(port_.portName().startsWith('/') ? port_.portName() : path())) return;
-            port_.close();
-            linkLost(path() + " is gone: was it unplugged?");
+            if (isUp() && !isThere()) lose(QStringLiteral("is gone; was it unplugged?"));
         });
         look_.start(device_look_ms);
     }
+    ~SerialChannel() override { port_.disconnect(this); }
 
 private:
     QString path() const { return QString::fromStdString(address().device); }
+    bool isThere() const { return QFile::exists(path()); }
+    void lose(const QString& reason) {
+        port_.close();
+        linkLost(path() + ": " + reason);
+    }
     void tryOpen() override {
         port_.setPortName(path());
         port_.setBaudRate(address().baud);
-        if (port_.open(QIODevice::ReadWrite)) return linkMade();
-        const QString why = !QFile::exists(path()) ? QStringLiteral("there is no such device; is it plugged in?")
-                            : port_.error() == QSerialPort::PermissionError
-                                ? QStringLiteral(
-                                      "not permitted; add yourself to the group 'dialout', or another "
-                                      "program holds it")
-                                : port_.errorString();
-        linkLost(path() + ": " + why);
+        if (!port_.open(QIODevice::ReadWrite)) return linkLost(path() + ": " + whyNotOpened());
+        // What came before would get the time of now.
+        port_.clear(QSerialPort::Input);
+        linkMade();
+    }
+    QString whyNotOpened() const {
+        if (!isThere()) return QStringLiteral("there is no such device; is it plugged in?");
+        if (port_.error() != QSerialPort::PermissionError) return port_.errorString();
+        return QStringLiteral("not permitted; another program holds it, or you are not in the group 'dialout'");
     }
     void shut() override { port_.close(); }
     qint64 waitingBytes() const override { return port_.bytesToWrite(); }
     bool write(const QByteArray& bytes) override { return port_.write(bytes) == bytes.size(); }
 
-    QSerialPort port_;
-    QTimer look_;
+    QSerialPort port_{this};
+    QTimer look_{this};
 };
 
 class TcpChannel final : public ByteChannel {
@@ -62,82 +73,106 @@ public:
         patience_.setSingleShot(true);
         connect(&socket_, &QTcpSocket::connected, this, [this] {
             patience_.stop();
-            socket_.setSocketOption(QAbstractSocket::LowDelayOption, 1);
-            socket_.setSocketOption(QAbstractSocket::KeepAliveOption, 1);
+            setOptions();
             linkMade();
         });
         connect(&socket_, &QTcpSocket::readyRead, this, [this] { take(socket_.readAll()); });
-        connect(&socket_, &QTcpSocket::disconnected, this, [this] { linkLost(name() + ": the other side closed"); });
-        connect(&socket_, &QTcpSocket::errorOccurred, this, [this] {
-            patience_.stop();
-            const QString reason = name() + ": " + socket_.errorString();
-            socket_.abort();
-            linkLost(reason);
+        connect(&socket_, &QTcpSocket::errorOccurred, this, [this](QAbstractSocket::SocketError error) {
+            lose(error == QAbstractSocket::RemoteHostClosedError
+                     ? QStringLiteral("the other side closed the connection")
+                     : socket_.errorString());
         });
-        connect(&patience_, &QTimer::timeout, this, [this] {
-            socket_.abort();
-            linkLost(name() + ": no answer");
-        });
+        connect(&patience_, &QTimer::timeout, this, [this] { lose(QStringLiteral("no answer")); });
     }
     ~TcpChannel() override { socket_.disconnect(this); }
 
 private:
-    QString name() const { return QString::fromStdString(toText(address())); }
     void tryOpen() override {
-        socket_.abort();
+        shut();
         patience_.start(connect_patience_ms);
         socket_.connectToHost(QString::fromStdString(address().host), address().port);
     }
+    void lose(const QString& reason) {
+        shut();
+        linkLost(QString::fromStdString(toText(address())) + ": " + reason);
+    }
+    void setOptions() {
+        socket_.setSocketOption(QAbstractSocket::LowDelayOption, 1);
+        socket_.setSocketOption(QAbstractSocket::KeepAliveOption, 1);
+        // A pulled cable says nothing: without these the system finds out after hours.
+        const auto set = [this](int option, int value) {
+            ::setsockopt(static_cast<int>(socket_.socketDescriptor()), IPPROTO_TCP, option, &value, sizeof value);
+        };
+        set(TCP_KEEPIDLE, 5);
+        set(TCP_KEEPINTVL, 2);
+        set(TCP_KEEPCNT, 3);
+        set(TCP_USER_TIMEOUT, unanswered_ms);
+    }
     void shut() override {
         patience_.stop();
-        socket_.disconnectFromHost();
+        const QSignalBlocker silent(socket_);  // our own closing is no event
+        socket_.abort();
     }
     qint64 waitingBytes() const override { return socket_.bytesToWrite(); }
     bool write(const QByteArray& bytes) override { return socket_.write(bytes) == bytes.size(); }
 
-    QTcpSocket socket_;
-    QTimer patience_;
+    QTcpSocket socket_{this};
+    QTimer patience_{this};
 };
 
-/// There is no connection: the link is up when the port is bound. Only the device's own datagrams are heard.
+/// There is no connection: the link is up when the port is bound. Only the device's own datagrams are heard, from
+/// whichever port of it they come.
 class UdpChannel final : public ByteChannel {
 public:
     explicit UdpChannel(const LinkAddress& address) : ByteChannel(address) {
         connect(&socket_, &QUdpSocket::readyRead, this, [this] { readAll(); });
     }
+    ~UdpChannel() override { stopLookUp(); }
 
 private:
     void tryOpen() override {
-        const auto found = QHostInfo::fromName(QString::fromStdString(address().host));
-        if (found.addresses().isEmpty()) return linkLost(QString::fromStdString(address().host) + ": no such host");
-        peer_ = found.addresses().first();
-        const auto any =
-            peer_.protocol() == QAbstractSocket::IPv6Protocol ? QHostAddress::AnyIPv6 : QHostAddress::AnyIPv4;
-        if (!socket_.bind(any, address().listen))
+        shut();
+        look_up_ = QHostInfo::lookupHost(QString::fromStdString(address().host), this, [this](const QHostInfo& found) {
+            if (found.lookupId() != look_up_) return;  // of before a close()
+            look_up_.reset();
+            bindTo(found.addresses());
+        });
+    }
+    void bindTo(const QList<QHostAddress>& found) {
+        if (found.isEmpty()) return linkLost(QString::fromStdString(address().host) + ": no such host");
+        // Serial servers speak IPv4; "localhost" gives both.
+        const auto is_v4 = [](const QHostAddress& a) { return a.protocol() == QAbstractSocket::IPv4Protocol; };
+        const auto v4 = std::find_if(found.begin(), found.end(), is_v4);
+        peer_ = v4 != found.end() ? *v4 : found.first();
+        if (!socket_.bind(is_v4(peer_) ? QHostAddress::AnyIPv4 : QHostAddress::AnyIPv6, address().listen))
             return linkLost(QStringLiteral("UDP port %1: %2").arg(address().listen).arg(socket_.errorString()));
         linkMade();
     }
     void readAll() {
-        while (socket_.hasPendingDatagrams()) {
-            QByteArray bytes(static_cast<int>(socket_.pendingDatagramSize()), Qt::Uninitialized);
-            QHostAddress sender;
-            const qint64 size = socket_.readDatagram(bytes.data(), bytes.size(), &sender);
-            if (size < 0) continue;
-            bytes.truncate(static_cast<int>(size));
-            if (!sender.isEqual(peer_, QHostAddress::TolerantConversion))
-                countForeign();
+        while (isUp() && socket_.hasPendingDatagrams()) {
+            const QNetworkDatagram datagram = socket_.receiveDatagram();
+            if (!datagram.isValid()) return;
+            if (datagram.senderAddress().isEqual(peer_, QHostAddress::TolerantConversion))
+                take(datagram.data());
             else
-                take(bytes);
+                countForeign();
         }
     }
-    void shut() override { socket_.close(); }
+    void stopLookUp() {
+        if (look_up_) QHostInfo::abortHostLookup(*std::exchange(look_up_, std::nullopt));
+    }
+    void shut() override {
+        stopLookUp();
+        socket_.close();
+    }
     qint64 waitingBytes() const override { return 0; }
     bool write(const QByteArray& bytes) override {
         return socket_.writeDatagram(bytes, peer_, address().port) == bytes.size();
     }
 
-    QUdpSocket socket_;
+    QUdpSocket socket_{this};
     QHostAddress peer_;
+    std::optional<int> look_up_;
 };
 
 }  // namespace
@@ -156,8 +191,10 @@ void ByteChannel::open() {
 void ByteChannel::close() {
     wanted_ = false;
     retry_.stop();
+    const bool was_up = std::exchange(up_, false);
+    last_reason_.clear();
     shut();
-    if (std::exchange(up_, false)) Q_EMIT wentDown(QStringLiteral("closed"));
+    if (was_up) Q_EMIT wentDown(QStringLiteral("closed"));
 }
 
 void ByteChannel::send(const QByteArray& bytes) {
@@ -169,7 +206,7 @@ void ByteChannel::send(const QByteArray& bytes) {
 
 void ByteChannel::linkMade() {
     up_ = true;
-    wait_ms_ = first_wait_ms;
+    retry_.stop();
     last_reason_.clear();
     ++counts_.times_up;
     Q_EMIT wentUp();
@@ -189,6 +226,8 @@ void ByteChannel::linkLost(const QString& reason) {
 
 void ByteChannel::take(const QByteArray& bytes) {
     if (bytes.isEmpty()) return;
+    // Not at the connection: some servers take every client and throw it out at once.
+    wait_ms_ = first_wait_ms;
     counts_.bytes_in += static_cast<std::uint64_t>(bytes.size());
     Q_EMIT received(bytes);
 }

@@ -20,8 +20,9 @@ struct ChannelCounts {
 };
 
 /// A two-way stream of bytes to a device: a serial port, TCP as client, or UDP. It keeps trying: where the link cannot
-/// be made, or breaks, it is made again after a quarter of a second, and then after longer and longer, up to 5 s.
-/// Threads: the one it lives in, whose event loop runs.
+/// be made, or breaks, it is made again after a quarter of a second, and then after longer and longer, up to 5 s, until
+/// bytes come again.
+/// Threads: the one it lives in (moveToThread() before open()), whose event loop runs.
 class ByteChannel : public QObject {
     Q_OBJECT
 public:
@@ -56,7 +57,7 @@ private:
     LinkAddress address_;
     bool wanted_ = false, up_ = false;
     QString last_reason_;
-    QTimer retry_;
+    QTimer retry_{this};
     int wait_ms_;
     ChannelCounts counts_;
 };

@@ -2,22 +2,32 @@
 
 #include <fcntl.h>
 #include <stdlib.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <QHostAddress>
+#include <QNetworkDatagram>
 #include <QSocketNotifier>
 #include <QTcpServer>
 #include <QTcpSocket>
+#include <QTimer>
 #include <QUdpSocket>
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 namespace echotrail {
 namespace {
 
 constexpr qint64 longest_queue_bytes = 1 << 20;
+constexpr int release_ms = 200;
+
+Error notOurs(const LinkAddress& address) {
+    return Error{"cannot listen on " + toText(address) + ": say an address of this machine in numbers, or localhost"};
+}
 
 QHostAddress hostOf(const LinkAddress& address) {
     if (address.host == "localhost") return QHostAddress(QHostAddress::LocalHost);
@@ -26,9 +36,14 @@ QHostAddress hostOf(const LinkAddress& address) {
 
 class TcpByteServer final : public ByteServer {
 public:
+    ~TcpByteServer() override {
+        if (peer_) peer_->disconnect(this);
+    }
     Result<void> start(const LinkAddress& address) {
         address_ = address;
-        if (!server_.listen(hostOf(address), address.port))
+        const QHostAddress host = hostOf(address);
+        if (host.isNull()) return notOurs(address);
+        if (!server_.listen(host, address.port))
             return Error{"cannot listen on " + toText(address) + ": " + server_.errorString().toStdString()};
         address_.port = server_.serverPort();
         connect(&server_, &QTcpServer::newConnection, this, [this] {
@@ -38,7 +53,10 @@ public:
     }
     std::string address() const override { return toText(address_); }
     void send(const QByteArray& bytes) override {
-        if (peer_ && peer_->bytesToWrite() < longest_queue_bytes) peer_->write(bytes);
+        if (peer_ && peer_->bytesToWrite() + bytes.size() <= longest_queue_bytes)
+            peer_->write(bytes);
+        else
+            countDropped(bytes.size());
     }
     void drop() override {
         if (!peer_) return;
@@ -71,16 +89,16 @@ class UdpByteServer final : public ByteServer {
 public:
     Result<void> start(const LinkAddress& address) {
         address_ = address;
-        if (!socket_.bind(hostOf(address), address.port))
+        const QHostAddress host = hostOf(address);
+        if (host.isNull()) return notOurs(address);
+        if (!socket_.bind(host, address.port))
             return Error{"cannot listen on " + toText(address) + ": " + socket_.errorString().toStdString()};
         address_.port = socket_.localPort();
         connect(&socket_, &QUdpSocket::readyRead, this, [this] {
             while (socket_.hasPendingDatagrams()) {
-                QByteArray bytes(static_cast<int>(socket_.pendingDatagramSize()), Qt::Uninitialized);
-                const qint64 size = socket_.readDatagram(bytes.data(), bytes.size(), &peer_, &peer_port_);
-                bytes.truncate(static_cast<int>(std::max<qint64>(size, 0)));
-                if (!std::exchange(has_peer_, true)) Q_EMIT peerUp();
-                Q_EMIT received(bytes);
+                const QNetworkDatagram datagram = socket_.receiveDatagram();
+                if (!datagram.isValid()) return;
+                hear(datagram);
             }
         });
         return {};
@@ -88,15 +106,23 @@ public:
     std::string address() const override { return toText(address_); }
     void send(const QByteArray& bytes) override {
         constexpr int longest_datagram = 1400;
-        if (!has_peer_) return;
+        if (!has_peer_) return countDropped(bytes.size());
         for (int at = 0; at < bytes.size(); at += longest_datagram)
-            socket_.writeDatagram(bytes.mid(at, longest_datagram), peer_, peer_port_);
+            if (socket_.writeDatagram(bytes.mid(at, longest_datagram), peer_, peer_port_) < 0)
+                countDropped(std::min<qint64>(longest_datagram, bytes.size() - at));
     }
     void drop() override {
         if (std::exchange(has_peer_, false)) Q_EMIT peerDown();
     }
 
 private:
+    void hear(const QNetworkDatagram& datagram) {
+        peer_ = datagram.senderAddress();
+        peer_port_ = static_cast<quint16>(datagram.senderPort());
+        if (!std::exchange(has_peer_, true)) Q_EMIT peerUp();
+        Q_EMIT received(datagram.data());
+    }
+
     QUdpSocket socket_;
     QHostAddress peer_;
     quint16 peer_port_ = 0;
@@ -125,6 +151,10 @@ public:
             return Error{"cannot open " + name_ + ": " + std::strerror(errno)};
         cfmakeraw(&settings);
         tcsetattr(other_side_, TCSANOW, &settings);
+        // A client that was killed leaves the device marked as its own as long as we hold it open, and the next one
+        // would be refused.
+        connect(&release_, &QTimer::timeout, this, [this] { ::ioctl(other_side_, TIOCNXCL); });
+        release_.start(release_ms);
         notifier_ = std::make_unique<QSocketNotifier>(side_, QSocketNotifier::Read);
         connect(notifier_.get(), &QSocketNotifier::activated, this, [this] { readAll(); });
         return {};
@@ -132,7 +162,8 @@ public:
     std::string address() const override { return "serial://" + name_; }
     void send(const QByteArray& bytes) override {
         // A full line discipline means that nobody reads: like a cable without a listener.
-        [[maybe_unused]] const auto written = ::write(side_, bytes.constData(), static_cast<std::size_t>(bytes.size()));
+        const auto written = ::write(side_, bytes.constData(), static_cast<std::size_t>(bytes.size()));
+        countDropped(bytes.size() - std::max<qint64>(written, 0));
     }
     void drop() override {
         if (std::exchange(has_peer_, false)) Q_EMIT peerDown();
@@ -150,6 +181,7 @@ private:
     int side_ = -1, other_side_ = -1;
     std::string name_;
     bool has_peer_ = false;
+    QTimer release_;
     std::unique_ptr<QSocketNotifier> notifier_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <QByteArray>
 #include <QObject>
+#include <cstdint>
 #include <memory>
 
 namespace echotrail {
@@ -21,15 +22,22 @@ public:
 
     /// What a client has to be told: `tcp://…`, `udp://…`, `serial:///dev/pts/…`.
     virtual std::string address() const = 0;
-    /// Bytes without a peer are dropped.
+    /// Bytes without a peer, or more than it takes, are dropped and counted.
     virtual void send(const QByteArray& bytes) = 0;
     /// Drops the peer, as a pulled cable would; it may come back.
     virtual void drop() = 0;
+    std::uint64_t droppedBytes() const { return dropped_bytes_; }
 
 Q_SIGNALS:
     void peerUp();
     void peerDown();
     void received(const QByteArray& bytes);
+
+protected:
+    void countDropped(qint64 bytes) { dropped_bytes_ += static_cast<std::uint64_t>(bytes); }
+
+private:
+    std::uint64_t dropped_bytes_ = 0;
 };
 
 }  // namespace echotrail

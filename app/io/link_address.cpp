@@ -80,8 +80,10 @@ Result<LinkAddress> parseLinkAddress(const std::string& text) {
     const auto port = numberIn(std::string_view(rest).substr(colon + 1), 0, 65'535);
     if (!port) return refused(text);
     address.host = rest.substr(0, colon);
-    if (address.host.front() == '[' && address.host.back() == ']')
-        address.host = address.host.substr(1, address.host.size() - 2);
+    const bool bracketed = address.host.front() == '[' && address.host.back() == ']';
+    if (bracketed) address.host = address.host.substr(1, address.host.size() - 2);
+    if (address.host.empty() || address.host.find_first_of(bracketed ? " /[]" : " /[]:") != std::string::npos)
+        return refused(text);
     address.port = static_cast<std::uint16_t>(*port);
     return address;
 }
@@ -90,13 +92,16 @@ std::string toText(const LinkAddress& address) {
     const bool bracketed = address.host.find(':') != std::string::npos;
     const std::string where =
         (bracketed ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
+    std::string options;
+    if (address.listen != 0) options = "?listen=" + std::to_string(address.listen);
+    if (!address.format.empty()) options += (options.empty() ? "?format=" : "&format=") + address.format;
     switch (address.kind) {
         case LinkAddress::Kind::Serial:
             return "serial://" + address.device + "?baud=" + std::to_string(address.baud);
         case LinkAddress::Kind::Tcp:
-            return "tcp://" + where;
+            return "tcp://" + where + options;
         case LinkAddress::Kind::Udp:
-            return "udp://" + where + (address.listen ? "?listen=" + std::to_string(address.listen) : "");
+            return "udp://" + where + options;
         case LinkAddress::Kind::PseudoTerminal:
             break;
     }
