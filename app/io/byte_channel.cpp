@@ -21,7 +21,6 @@ namespace {
 
 constexpr int first_wait_ms = 250, longest_wait_ms = 5'000;
 constexpr int connect_patience_ms = 5'000, device_look_ms = 1'000, unanswered_ms = 10'000;
-constexpr qint64 longest_queue_bytes = 64 * 1024;
 
 class SerialChannel final : public ByteChannel {
 public:
@@ -197,11 +196,10 @@ void ByteChannel::close() {
     if (was_up) Q_EMIT wentDown(QStringLiteral("closed"));
 }
 
-void ByteChannel::send(const QByteArray& bytes) {
-    if (!up_ || waitingBytes() + bytes.size() > longest_queue_bytes || !write(bytes))
-        counts_.dropped_bytes += static_cast<std::uint64_t>(bytes.size());
-    else
-        counts_.bytes_out += static_cast<std::uint64_t>(bytes.size());
+bool ByteChannel::send(const QByteArray& bytes) {
+    const bool taken = up_ && waitingBytes() + bytes.size() <= longest_queue_bytes_ && write(bytes);
+    (taken ? counts_.bytes_out : counts_.dropped_bytes) += static_cast<std::uint64_t>(bytes.size());
+    return taken;
 }
 
 void ByteChannel::linkMade() {

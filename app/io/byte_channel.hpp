@@ -31,8 +31,10 @@ public:
     void open();
     void close();
     bool isUp() const { return up_; }
-    /// Drops and counts what cannot be taken: the link is down, or over 64 KiB wait already.
-    void send(const QByteArray& bytes);
+    /// Drops and counts what cannot be taken whole, and says so: the link is down, or too much waits already.
+    bool send(const QByteArray& bytes);
+    /// How many bytes may wait to be sent; 64 KiB unless said otherwise.
+    void setLongestQueue(qint64 bytes) { longest_queue_bytes_ = bytes; }
     const ChannelCounts& counts() const { return counts_; }
     const LinkAddress& address() const { return address_; }
 
@@ -59,6 +61,7 @@ private:
     QString last_reason_;
     QTimer retry_{this};
     int wait_ms_;
+    qint64 longest_queue_bytes_ = 64 * 1024;
     ChannelCounts counts_;
 };
 
