@@ -6,6 +6,7 @@
 #include "core/simulation/objects.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -23,7 +24,8 @@ constexpr double source_level_db = 205.0;
 constexpr double most_compensation_db = 80.0;  // of the receiver's time-varied gain
 constexpr double level_zero_db = -60.0;        // the scatterer that gives level 0 at 0 dB gain
 constexpr double gain_db_per_percent = 0.8;
-constexpr double ring_down_m = 1.0;  // the transducer rings from full scale to nothing in this range
+constexpr double ring_down_m = 1.0;        // the transducer rings from full scale to nothing in this range
+constexpr double most_pulse_bins = 256.0;  // a longer pulse would cost time and show nothing new
 constexpr std::uint64_t speckle_numbers = 1;
 
 /// Steps from one end of the sector to the other, and where a ping lies in the way to and fro.
@@ -135,13 +137,15 @@ Bearing pingBearing(const Scenario& scenario, std::uint64_t number) {
 
 std::vector<std::uint8_t> simulateEcho(const Scenario& scenario, std::uint64_t seed, const HeadSetup& head,
                                        double time_s, std::uint64_t number) {
+    assert(head.bins >= 0 && head.binSize() > 0.0);
     std::vector<std::uint8_t> levels;
     levels.reserve(static_cast<std::size_t>(head.bins));
     Scene scene(scenario, seed, head, std::max(time_s, 0.0));
     const double absorption = acoustics::absorption(head.frequency_hz);
     const double gain_db = scenario.gain_db + (head.gain_db - usual_head.gain_db);
     const double pulse_m = 0.5e-6 * scenario.pulse_us * head.sound_speed;
-    const auto grain = speckle(seed, number, head.bins, scenario.looks, pulse_m / head.binSize());
+    const auto grain =
+        speckle(seed, number, head.bins, scenario.looks, std::min(pulse_m / head.binSize(), most_pulse_bins));
     for (int i = 0; i < head.bins; ++i) {
         const double range_m = (i + 0.5) * head.binSize();
         const double loss_db = 40.0 * std::log10(range_m) + 2.0 * absorption * range_m;

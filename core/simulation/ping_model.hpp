@@ -24,7 +24,8 @@ Bearing pingBearing(const Scenario& scenario, std::uint64_t number);
 /// What a head at the vehicle's bow hears of a transmission `time_s` after the scenario's start (method card,
 /// section i): one level per bin, 0…255 for 0…80 dB, before any packing. Every bin adds the powers of targets, debris,
 /// bottom, surface, volume and noise, and multiplies them by the speckle of a single look. `number` names the ping:
-/// its speckle. It depends on nothing but its arguments: pings can be made in any order.
+/// its speckle. The head has some bins, each longer than nothing; before the start all is as at the start. It
+/// depends on nothing but its arguments: pings can be made in any order.
 std::vector<std::uint8_t> simulateEcho(const Scenario& scenario, std::uint64_t seed, const HeadSetup& head,
                                        double time_s, std::uint64_t number);
 
