@@ -19,6 +19,7 @@ struct FakeHead {
     bool digital = false, half_duplex = false, alives_stopped = false, centres = true, obeys = true;
     bool keeps_parameters = false;  ///< over a reboot
     Time answer_delay{2'000}, line_time{60'000}, boot{3'000'000};
+    int line_repeats = 1;
     int repeats = 1;                 ///< each answer is said so often
     std::set<std::uint8_t> deaf_to;  ///< message ids that it does not answer
     int lose_lines = 0;              ///< so many of the next lines do not arrive
@@ -134,7 +135,7 @@ struct FakeHead {
             if (lose_lines > 0)
                 --lose_lines;
             else
-                out.emplace_back(now, encodeHeadData(line(), node));
+                out.insert(out.end(), static_cast<std::size_t>(line_repeats), {now, encodeHeadData(line(), node)});
             --triggers;
             line_at = now + line_time;
             next_alive = now + Time(1'000'000);

@@ -223,6 +223,62 @@ TEST(HeadSession, ALateSecondNameDoesNotChangeHowTheHeadIsSpokenTo) {
     EXPECT_GE(talk.status().rejected, 1u);
 }
 
+TEST(HeadSession, ALineDoubledOnTheWayIsNoReasonToSpeakOutOfTurn) {
+    Conversation talk({.half_duplex = true, .line_repeats = 2});
+    talk.run(10);
+    EXPECT_GT(talk.status().pings, 20u);
+    EXPECT_EQ(talk.head.offences, std::vector<std::string>());
+}
+
+TEST(HeadSession, ALostLineIsAskedForAgainAfterASecond) {
+    Conversation talk({.half_duplex = true});
+    talk.run(8);
+    talk.head.lose_lines = 1;
+    const auto before = talk.status().pings;
+    talk.run(2.2);
+    EXPECT_EQ(talk.status().timeouts, 1u);
+    EXPECT_GT(talk.status().pings, before + 10);
+}
+
+TEST(HeadSession, WhatWasSaidBeforeARebootIsNotItsAnswer) {
+    Conversation talk;
+    talk.head.has_parameters = true;
+    while (talk.heard(MessageId::ReBoot) == 0) talk.run(0.1);
+    talk.session.received(talk.now, makeFrame(2, 255, 4, 0x80, 2, std::vector<std::uint8_t>(8, 0)));
+    talk.run(12);
+    EXPECT_EQ(talk.heard(MessageId::ReBoot), 1);
+}
+
+TEST(HeadSession, AnotherHeadAfterABreakIsAskedWhatItIs) {
+    Conversation talk;
+    talk.run(8);
+    talk.session.linkDown(talk.now);
+    talk.session.linkUp(talk.now);
+    talk.session.received(talk.now, makeFrame(2, 255, 1, 0x80, 2, std::vector<std::uint8_t>(11, 0x13)));
+    EXPECT_EQ(talk.status().head.find("serial 77"), std::string::npos);
+    talk.run(15);
+    EXPECT_EQ(talk.heard(MessageId::ReBoot), 1);
+    EXPECT_EQ(talk.heard(MessageId::SendBBUser), 2);
+}
+
+TEST(HeadSession, ParametersThatAreNeverTakenEndInAReboot) {
+    Conversation talk({.deaf_to = {19}});
+    talk.run(45);
+    EXPECT_EQ(talk.heard(MessageId::ReBoot), 1);
+    EXPECT_GE(talk.heard(MessageId::HeadCommand), 3);
+}
+
+TEST(HeadSession, AfterABreakAHeadThatGivesNoLineIsRebooted) {
+    Conversation talk;
+    talk.run(8);
+    talk.session.linkDown(talk.now);
+    talk.run(1);
+    talk.head.deaf_to = {25};
+    talk.session.linkUp(talk.now);
+    talk.run(15);
+    EXPECT_GE(talk.heard(MessageId::ReBoot), 1);
+}
+
 TEST(HeadSession, SurvivesDamagedBytesOfAllKindsAndGoesOnWhenTheyEnd) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         Conversation talk({.digital = seed % 2 == 1, .half_duplex = seed % 4 > 1});
