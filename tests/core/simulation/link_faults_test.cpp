@@ -1,5 +1,8 @@
 #include "core/simulation/link_faults.hpp"
 
+#include "core/seanet/head_session.hpp"
+#include "core/simulation/simulated_head.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -171,6 +174,102 @@ TEST(LinkFaults, OneRateChangesNothingAboutTheOtherFaults) {
     };
     EXPECT_EQ(disconnects({.disconnect_rate = 0.2}),
               disconnects({.corrupted_bytes = 0.1, .split_reads = 0.5, .stall_rate = 1.0, .disconnect_rate = 0.2}));
+}
+
+/// A host's session and a head, with a faulty link each way or a good one.
+class Conversation {
+public:
+    Conversation(const SimulatedHeadOptions& options, const LinkFaultParams& faults, std::uint64_t seed)
+        : head_(options, [](const HeadSetup& setup, Microseconds,
+                            std::uint64_t) { return Bytes(static_cast<std::size_t>(setup.bins), 64); }),
+          to_host_(faults, seed),
+          to_head_(faults, seed + 1) {
+        head_.powerUp(0us);
+        session.linkUp(0us);
+    }
+    void runUntil(Microseconds end, bool faulty) {
+        faulty_ = faulty;
+        for (;;) {
+            Microseconds next = end;
+            for (const auto& due : {head_.deadline(), session.deadline()}) next = due ? std::min(next, *due) : next;
+            if (faulty)
+                for (const auto& due : {to_host_.deadline(), to_head_.deadline()})
+                    next = std::min(next, due.value_or(end));
+            now_ = std::max(now_, next);
+            head_.tick(now_);
+            for (const TimedBytes& piece : head_.takeOutput(now_)) {
+                if (faulty) to_host_.send(now_, piece.bytes);
+                if (!faulty) session.received(now_, piece.bytes);
+            }
+            if (faulty) passThrough();
+            if (session.deadline() && *session.deadline() <= now_) session.tick(now_);
+            say();
+            if (now_ >= end) return;
+        }
+    }
+
+    seanet::HeadSession session{HeadSettings{.range_m = 20.0}};
+
+private:
+    void passThrough() {
+        for (const LinkHappening& happening : to_host_.takeOutput(now_)) {
+            if (happening.kind == Kind::Read) session.received(now_, happening.bytes);
+            if (happening.kind == Kind::Down) session.linkDown(now_);
+            if (happening.kind == Kind::Up) session.linkUp(now_);
+            if (happening.kind == Kind::Reboot) head_.powerUp(now_);
+        }
+        for (const LinkHappening& happening : to_head_.takeOutput(now_))
+            if (happening.kind == Kind::Read) head_.received(now_, happening.bytes);
+    }
+    void say() {
+        while (const auto frame = session.takeOutput()) {
+            if (faulty_) to_head_.send(now_, *frame);
+            if (!faulty_) head_.received(now_, *frame);
+        }
+    }
+
+    SimulatedHead head_;
+    LinkFaults to_host_, to_head_;
+    Microseconds now_{};
+    bool faulty_ = false;
+};
+
+const SimulatedHeadOptions heads[] = {{.model = HeadModel::Dfs},
+                                      {.model = HeadModel::Dst},
+                                      {.model = HeadModel::Dfs, .half_duplex = true},
+                                      {.model = HeadModel::Dst, .half_duplex = true}};
+
+TEST(LinkFaults, OnAGoodLinkASessionScansWithEveryHead) {
+    for (const SimulatedHeadOptions& head : heads) {
+        Conversation conversation(head, {}, 1);
+        conversation.runUntil(30s, true);
+        const seanet::HeadStatus& status = conversation.session.status();
+        EXPECT_EQ(status.state, seanet::HeadState::Polling);
+        EXPECT_EQ(status.half_duplex, head.half_duplex);
+        EXPECT_EQ(status.difference, "");
+        EXPECT_EQ(status.timeouts + status.rejected + status.head_resets, 0u) << status.head;
+        EXPECT_GT(status.pings, 200u);
+        conversation.session.setSettings(30s, {.range_m = 60.0, .sector_width_deg = 40.0, .bits = 4});
+        conversation.runUntil(35s, true);
+        EXPECT_NEAR(status.confirmed.value().range_m, 60.0, 0.1);
+        EXPECT_EQ(status.difference, "");
+    }
+}
+
+TEST(LinkFaults, ASessionScansAgainWhateverTheLinkDidBefore) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed)
+        for (const SimulatedHeadOptions& head : heads) {
+            Conversation conversation(head, everything, seed);
+            conversation.runUntil(180s, true);
+            const std::uint64_t before = conversation.session.status().pings;
+            EXPECT_GT(before, 0u);
+            if (conversation.session.status().state == seanet::HeadState::NoLink) conversation.session.linkUp(180s);
+            conversation.runUntil(240s, false);
+            const seanet::HeadStatus& status = conversation.session.status();
+            EXPECT_EQ(status.state, seanet::HeadState::Polling) << "seed " << seed << ' ' << status.advice;
+            EXPECT_GT(status.pings, before + 100);
+            EXPECT_EQ(status.difference, "");
+        }
 }
 
 }  // namespace
