@@ -2,9 +2,9 @@
 
 #include "core/seanet/messages.hpp"
 #include "core/seanet/ping_decoder.hpp"
+#include "core/simulation/head_answers.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -26,9 +26,6 @@ constexpr Microseconds alive_interval = 1s, motor_rests_after = 60s, validation 
 constexpr Microseconds longest_silence = 200ms;
 /// Serial adapters hand over what has come within some milliseconds.
 constexpr Microseconds piece_time = 4ms;
-/// Middles of the bands of a SeaKing's channels, and how wide the chirps of a digital one are.
-constexpr std::array<std::uint32_t, 2> channel_hz{325'000, 675'000};
-constexpr std::uint32_t chirp_hz = 50'000;
 
 std::uint8_t id(MessageId message) { return static_cast<std::uint8_t>(message); }
 
@@ -44,52 +41,6 @@ std::vector<std::uint8_t> packed(const std::vector<std::uint8_t>& levels, int lo
     for (std::size_t i = 0; i < bytes.size(); ++i)
         bytes[i] = static_cast<std::uint8_t>(nibble(2 * i) << 4 | nibble(2 * i + 1));
     return bytes;
-}
-
-/// The payload of mtBBUserData; offsets count from the frame's `@`, as the notes have them.
-class Block {
-public:
-    Block& byte(std::size_t wire, unsigned value) {
-        payload_[wire - 13] = static_cast<std::uint8_t>(value);
-        return *this;
-    }
-    Block& word(std::size_t wire, unsigned value) { return byte(wire, value & 0xFF).byte(wire + 1, value >> 8 & 0xFF); }
-    Block& number(std::size_t wire, std::uint32_t value) {
-        return word(wire, value & 0xFFFF).word(wire + 2, value >> 16);
-    }
-    const std::vector<std::uint8_t>& payload() const { return payload_; }
-
-private:
-    std::vector<std::uint8_t> payload_ = std::vector<std::uint8_t>(250);
-};
-
-Block commonBlock() {
-    constexpr unsigned main_low = 3, main_high = 7;  // codes of 9600 and 115200 baud, as on heads from the maker
-    return Block().byte(13, host).word(15, 0x1234).word(35, main_low).word(37, main_high).word(33, 3);
-}
-
-std::vector<std::uint8_t> digitalBlock(bool half_duplex) {
-    Block block = commonBlock();
-    block.word(17, 161).byte(19, 15).byte(20, 1).byte(59, 1);
-    for (std::size_t channel = 0; channel < 2; ++channel) {
-        const std::size_t at = 60 + 43 * channel;
-        const std::uint32_t start = channel_hz[channel] - chirp_hz / 2;
-        block.number(at, start).number(at + 4, start + chirp_hz).number(at + 29, start);
-        block.number(at + 33, start + chirp_hz).number(at + 37, 400).byte(at + 41, 100);
-    }
-    block.byte(146, half_duplex).byte(147, 1).word(150, 200).word(152, 800).byte(166, half_duplex);
-    return block.payload();
-}
-
-std::vector<std::uint8_t> analogueBlock(bool half_duplex) {
-    Block block = commonBlock();
-    block.word(17, 186).word(59, 0xFFFF).word(99, half_duplex ? 0xFFFF : 0).word(109, 90).word(111, 125);
-    for (std::size_t channel = 0; channel < 2; ++channel) {
-        const unsigned khz = channel_hz[channel] / 1000;
-        block.word(101 + 2 * channel, khz).word(105 + 2 * channel, khz);
-    }
-    block.word(123, 200).word(125, 800);
-    return block.payload();
 }
 
 }  // namespace
@@ -210,8 +161,8 @@ void SimulatedHead::sendBlock(Microseconds now) {
     const auto answer = [&](MessageId message, seanet::Bytes payload) {
         send(now, seanet::makeFrame(node(), host, id(message), single, node(), payload));
     };
-    if (!dst()) return answer(MessageId::BBUserData, analogueBlock(options_.half_duplex));
-    answer(MessageId::BBUserData, digitalBlock(options_.half_duplex));
+    answer(MessageId::BBUserData, blockPayload(dst(), options_.half_duplex));
+    if (!dst()) return;
     answer(MessageId::FpgaCalibrationData, std::vector<std::uint8_t>(66));
     answer(MessageId::FpgaVersionData, seanet::ByteWriter().u8(1).u32(1).u16(1).u16(0).u8(1).u32(0).bytes());
 }
@@ -238,14 +189,9 @@ void SimulatedHead::take(Microseconds now, const seanet::Frame& frame) {
     if (now < booted_) return ignore("after_reboot");
     if (frame.destination() != node()) return ignore("other_node");
     switch (MessageId{frame.id()}) {
-        case MessageId::SendVersion: {
-            // Old heads tell the codes of their frequencies (325 and 675 kHz) where digital ones tell a version.
-            const unsigned serial = dst() ? 0 : static_cast<unsigned>(options_.serial_number);
-            const auto payload =
-                seanet::ByteWriter().u8(dst() ? 1 : 0x31).u8(0x11).u16(serial).u32(1).u16(0).u8(node());
-            return send(now,
-                        seanet::makeFrame(node(), host, id(MessageId::VersionData), single, node(), payload.bytes()));
-        }
+        case MessageId::SendVersion:
+            return send(now, seanet::makeFrame(node(), host, id(MessageId::VersionData), single, node(),
+                                               versionPayload(dst(), options_.serial_number, node())));
         case MessageId::SendBBUser:
             return sendBlock(now);
         case MessageId::HeadCommand:
@@ -357,7 +303,7 @@ HeadSetup SimulatedHead::setup() const {
     head.bin_interval_s = command_->ad_interval * tick_s;
     head.bearing = Bearing::degrees((position_ - ahead_units) * 360.0 / turn_units);
     head.step_rad = radiansFromDegrees(command_->step * 360.0 / turn_units);
-    head.frequency_hz = told ? seanet::frequencyOf(word) : channel_hz[channel()];
+    head.frequency_hz = told ? seanet::frequencyOf(word) : head_channel_hz[channel()];
     head.gain_db = window.gain[channel()] * 80.0 / 210.0;
     head.ad_low_db = window.ad_low[channel()] * decibels_per_level;
     head.ad_span_db = window.ad_span[channel()] * decibels_per_level;
