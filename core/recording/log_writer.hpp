@@ -18,7 +18,8 @@ struct LogOptions {
 /// Order:   add and addUpdate as things happen; commit() at least once a second; close() at the end.
 /// Promise: write-ahead log with synchronous=FULL. What a commit() that returned had taken is on the disk: neither the
 ///          end of the process nor of the power loses it, as far as the disk honours fsync. Between commits a killed
-///          process loses what it had not committed, and nothing else.
+///          process loses what it had not committed, and nothing else. (With synchronous=NORMAL a killed process would
+///          lose no more, but a loss of power the last commits; with OFF it could cost the file.)
 /// Threads: none; one owner calls it.
 class LogWriter {
 public:
