@@ -12,11 +12,17 @@ namespace echotrail {
 /// A command adds its options to the program and is called when the command line names it.
 using Command = std::function<ExitCode()>;
 
+/// `echotrail track`: the onboard tracker.
+Command addTrackCommand(CLI::App& program);
+
 /// `echotrail replay`: a recording through the pipeline, tracks out.
 Command addReplayCommand(CLI::App& program);
 
 /// `echotrail info`: what is in a recording.
 Command addInfoCommand(CLI::App& program);
+
+/// `echotrail simulate`: a scenario as a recording, or as a head on a port.
+Command addSimulateCommand(CLI::App& program);
 
 /// `echotrail verify`: whether a recording gives its tracks again.
 Command addVerifyCommand(CLI::App& program);

@@ -15,6 +15,8 @@ std::optional<double> numberFrom(std::string_view text) {
     return value;
 }
 
+}  // namespace
+
 Result<ReplayOptions::Target> targetFrom(const std::string& text) {
     const auto comma = text.find(',');
     const auto range = numberFrom(std::string_view(text).substr(0, comma));
@@ -24,8 +26,6 @@ Result<ReplayOptions::Target> targetFrom(const std::string& text) {
         return Error{"--target " + text + " is not RANGE_M,BEARING_DEG, as in 25,-10"};
     return ReplayOptions::Target{*range, Bearing::degrees(*bearing)};
 }
-
-}  // namespace
 
 void addReplayOptions(CLI::App& command, ReplayArguments& a) {
     command.add_option("SOURCE", a.source, "Recording (.echotrail, .V4LOG or raw .bin), or simulation://NAME?seed=N")

@@ -40,6 +40,9 @@ struct ReplayOptions {
     bool paint_fan = true, timings = false;
 };
 
+/// Reads "RANGE_M,BEARING_DEG".
+Result<ReplayOptions::Target> targetFrom(const std::string& text);
+
 void addReplayOptions(CLI::App& command, ReplayArguments& arguments);
 
 /// The error is a matter of usage.

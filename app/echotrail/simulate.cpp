@@ -1,0 +1,173 @@
+#include "commands.hpp"
+#include "core/recording/log_writer.hpp"
+#include "core/seanet/head_data.hpp"
+#include "core/simulation/demonstration.hpp"
+#include "core/simulation/ping_model.hpp"
+#include "core/simulation/truth_file.hpp"
+#include "settings.hpp"
+#include "simulated_device.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <QCoreApplication>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+
+namespace echotrail {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+struct SimulateArguments {
+    std::string scenario, log, truth, serve_sonar;
+    std::vector<std::string> head_settings;
+    std::uint64_t seed = default_scenario_seed;
+    double duration_s = 0.0;
+    bool list = false;
+};
+
+ExitCode list() {
+    for (const Scenario& scenario : scenarios()) std::cout << scenario.name << "\t" << scenario.description << "\n";
+    return ExitCode::Done;
+}
+
+Result<void> writeTruth(const std::string& path, const SimulatedSource& source) {
+    errno = 0;
+    std::ofstream file(path);
+    file << truthCsv(source);
+    file.close();
+    if (!file) return Error{"cannot write " + path + ": " + std::strerror(errno)};
+    return {};
+}
+
+/// A ping as the head sends it.
+seanet::HeadData lineOf(const Ping& ping, double sector_half_width_deg) {
+    const auto sixteenths = [](double degrees) {
+        return static_cast<std::uint16_t>(std::lround(3200.0 + degrees * 6400.0 / 360.0));
+    };
+    seanet::HeadData line;
+    line.device_type = 2;
+    line.head_control = ping.clockwise ? 0x2305 : 0x2301;
+    line.range_scale = static_cast<std::uint16_t>(std::lround(10.0 * ping.range_scale_m));
+    line.transmit_word = static_cast<std::uint32_t>(std::llround(ping.frequency_hz * 4294967296.0 / 32e6));
+    line.gain = static_cast<std::uint8_t>(std::lround(2.1 * ping.gain_percent));
+    line.ad_span = 255;
+    line.ad_interval = static_cast<std::uint16_t>(std::lround(ping.bin_interval_s / 640e-9));
+    line.left_limit = sixteenths(-sector_half_width_deg);
+    line.right_limit = sixteenths(sector_half_width_deg);
+    line.step = static_cast<std::uint8_t>(std::lround(degreesFromRadians(ping.step_rad) * 6400.0 / 360.0));
+    line.bearing = sixteenths(ping.bearing.inDegrees());
+    line.data = ping.levels;
+    return line;
+}
+
+/// The scenario as a recording, at once: the lines its head sends, and when they arrive.
+ExitCode writeLog(const SimulateArguments& arguments, SimulatedSource& source) {
+    const LogHeader header{ECHOTRAIL_VERSION, "simulated: " + source.scenario().name,
+                           parameterText(ScanningSonarPipeline::Params{}), 0, simulation_start};
+    auto log = LogWriter::create(arguments.log, header);
+    if (!log) return fail(ExitCode::Failed, log.error());
+    constexpr Microseconds head_latency{3'000};
+    Event event;
+    std::uint64_t pings = 0;
+    while (const auto ping = source.next()) {
+        if (arguments.duration_s > 0.0 && secondsBetween(source.info().start, ping->time) > arguments.duration_s) break;
+        const seanet::HeadData line = lineOf(*ping, source.scenario().sector_half_width_deg);
+        const double flight_s = line.ad_interval * 640e-9 * static_cast<double>(line.data.size());
+        event.kind = EventKind::SonarBytes;
+        event.utc = ping->time + microsecondsFromSeconds(flight_s) + head_latency;
+        event.monotonic = event.utc - source.info().start;
+        event.payload = seanet::encodeHeadData(line);
+        if (auto added = (*log)->add(event); !added) return fail(ExitCode::Failed, added.error());
+        ++event.number;
+        ++pings;
+    }
+    if (auto closed = (*log)->close(); !closed) return fail(ExitCode::Failed, closed.error());
+    std::cout << nlohmann::ordered_json{{"scenario", source.scenario().name},
+                                        {"seed", arguments.seed},
+                                        {"log", arguments.log},
+                                        {"pings", pings}}
+                     .dump()
+              << std::endl;
+    return ExitCode::Done;
+}
+
+/// Acts as a head until it is told to end.
+ExitCode serve(const SimulateArguments& arguments, const Scenario& scenario) {
+    SimulatedHeadOptions options;
+    for (const std::string& setting : arguments.head_settings)
+        if (const auto set = setParameterFromText(options, setting); !set) return fail(ExitCode::Usage, set.error());
+    const auto address = parseLinkAddress(arguments.serve_sonar);
+    if (!address) return fail(ExitCode::Usage, "--serve-sonar: " + address.error());
+    int argc = 1;
+    char name[] = "echotrail";
+    char* argv[] = {name, nullptr};
+    const QCoreApplication application(argc, argv);
+    auto server = ByteServer::listen(*address);
+    if (!server) return fail(ExitCode::Failed, server.error());
+    std::cout << nlohmann::ordered_json{{"scenario", scenario.name},
+                                        {"seed", arguments.seed},
+                                        {"sonar", (*server)->address()}}
+                     .dump()
+              << std::endl;
+    SimulatedDevice device(scenario, arguments.seed, options, *std::move(server));
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, [] {
+        if (interrupted) QCoreApplication::quit();
+    });
+    look.start(50);
+    QTimer duration;
+    duration.setSingleShot(true);
+    QObject::connect(&duration, &QTimer::timeout, [] { QCoreApplication::quit(); });
+    if (arguments.duration_s > 0.0) duration.start(static_cast<int>(std::lround(1e3 * arguments.duration_s)));
+    device.start();
+    QCoreApplication::exec();
+    std::cout << nlohmann::ordered_json{{"transmissions", device.transmissions()}, {"ignored", device.ignored()}}.dump()
+              << std::endl;
+    return ExitCode::Done;
+}
+
+ExitCode simulate(const SimulateArguments& arguments) {
+    if (arguments.list) return list();
+    if (arguments.scenario.empty())
+        return fail(ExitCode::Usage, "name a scenario; echotrail simulate --list shows them all");
+    if (arguments.log.empty() && arguments.serve_sonar.empty() && arguments.truth.empty())
+        return fail(ExitCode::Usage, "nothing to do: give --log LOG, --truth FILE or --serve-sonar ADDRESS");
+    const auto source = openSimulation(arguments.scenario, arguments.seed);
+    if (!source) return fail(ExitCode::Usage, source.error());
+    if (!arguments.truth.empty())
+        if (const auto written = writeTruth(arguments.truth, **source); !written)
+            return fail(ExitCode::Failed, written.error());
+    if (!arguments.log.empty())
+        if (const ExitCode code = writeLog(arguments, **source); code != ExitCode::Done) return code;
+    return arguments.serve_sonar.empty() ? ExitCode::Done : serve(arguments, (*source)->scenario());
+}
+
+}  // namespace
+
+Command addSimulateCommand(CLI::App& program) {
+    CLI::App* command =
+        program.add_subcommand("simulate", "A scenario as a recording with truth, or as a head on a port");
+    auto a = std::make_shared<SimulateArguments>();
+    command->add_option("SCENARIO", a->scenario, "Name of a built-in scenario");
+    command->add_flag("--list", a->list, "Name the scenarios and what is in them");
+    command->add_option("--seed", a->seed, "Seed of the random numbers (default 1)");
+    command->add_option("--duration", a->duration_s, "Seconds: of the recording, or until the head on a port ends")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--log", a->log, "Write the scenario as a recording (.echotrail), faster than real time");
+    command->add_option("--truth", a->truth,
+                        "Write where the targets truly are (CSV), in seconds since the first ping");
+    command->add_option("--serve-sonar", a->serve_sonar,
+                        "Act as a head on tcp://ADDR:PORT, udp://ADDR:PORT or pty; port 0 is any free one");
+    command->add_option("--head", a->head_settings, "NAME=VALUE of the simulated head, as in head_model=dfs");
+    return [a] { return simulate(*a); };
+}
+
+}  // namespace echotrail

@@ -1,0 +1,67 @@
+#include "target_feed.hpp"
+
+#include "core/navigation/target_sentences.hpp"
+#include "tracks_writer.hpp"
+
+namespace echotrail {
+
+TargetFeed::TargetFeed(const LinkAddress& address) : nmea_(address.format == "nmea"), channel_(makeChannel(address)) {
+    channel_->open();
+}
+
+void TargetFeed::take(const Update& update, const ScanningSonarPipeline& pipeline) {
+    const std::scoped_lock lock(mutex_);
+    if (!update.navigation_gap) {
+        const double passed_s = own_time_ ? secondsBetween(*own_time_, update.time) : 0.0;
+        if (passed_s > 0.0)
+            own_.velocity_mps =
+                Eigen::Vector2d(update.pose.north_m - own_.pose.north_m, update.pose.east_m - own_.pose.east_m) /
+                passed_s;
+        own_.pose = update.pose;
+        own_time_ = update.time;
+    }
+    bool looked_at = false;
+    for (const TrackLook& look : update.looks)
+        if (look.target) {
+            fresh_.push_back(look);
+            looked_at = true;
+        }
+    if (!looked_at) return;  // a copy of the particles, only where they have changed
+    target_.reset();
+    for (Track& track : pipeline.tracks())
+        if (track.target) target_ = std::move(track);
+}
+
+void TargetFeed::send(Timestamp now, Timestamp first_ping) {
+    const std::scoped_lock lock(mutex_);
+    if (!target_) {
+        fresh_.clear();
+        return;
+    }
+    if (fresh_.empty()) {
+        channel_->send(text(reportOn(*target_, own_, now), first_ping));
+        ++sent_;
+    }
+    for (const TrackLook& look : fresh_) {
+        TargetReport report = reportOn(*target_, own_, look.time);
+        report.look = look;
+        report.age_s = std::max(report.age_s, 0.0);
+        channel_->send(text(report, first_ping));
+        ++sent_;
+    }
+    fresh_.clear();
+}
+
+QByteArray TargetFeed::text(const TargetReport& report, Timestamp first_ping) const {
+    if (nmea_)
+        return QByteArray::fromStdString(ttmSentence(report.look, report.closest_approach_m, report.time_to_closest_s));
+    auto object = trackLine(report.look, first_ping);
+    object["age_s"] = report.age_s;
+    object["valid"] = report.valid;
+    object["closest_approach_m"] = report.closest_approach_m;
+    object["time_to_closest_s"] = report.time_to_closest_s;
+    object["risk"] = report.risk;
+    return QByteArray::fromStdString(object.dump() + "\n");
+}
+
+}  // namespace echotrail

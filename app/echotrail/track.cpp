@@ -1,0 +1,88 @@
+#include "commands.hpp"
+#include "core/recording/log_writer.hpp"
+#include "track_options.hpp"
+#include "track_run.hpp"
+
+#include <opencv2/core/utility.hpp>
+
+#include <QCoreApplication>
+#include <csignal>
+#include <iostream>
+
+namespace echotrail {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+ExitCode track(const TrackArguments& arguments) {
+    const auto options = checkTrackOptions(arguments);
+    if (!options) return fail(ExitCode::Usage, options.error());
+    int argc = 1;
+    char name[] = "echotrail";
+    char* argv[] = {name, nullptr};
+    const QCoreApplication application(argc, argv);
+    cv::setNumThreads(1);
+
+    std::unique_ptr<TracksWriter> tracks;
+    if (!options->tracks.empty()) {
+        auto opened = TracksWriter::open(options->tracks);
+        if (!opened) return fail(ExitCode::Failed, opened.error());
+        tracks = *std::move(opened);
+    }
+    std::unique_ptr<LogWriter> log;
+    if (!options->record.empty()) {
+        const LogHeader header{ECHOTRAIL_VERSION, toText(options->sonar), parameterText(options->settings.params),
+                               options->seed,
+                               std::chrono::time_point_cast<Microseconds>(std::chrono::system_clock::now())};
+        auto created = LogWriter::create(options->record, header);
+        if (!created) return fail(ExitCode::Failed, created.error());
+        log = *std::move(created);
+        std::cerr << "echotrail: recording to " << options->record << std::endl;
+    }
+
+    TrackRun run(*options, std::move(log), std::move(tracks));
+    std::string reason = "interrupted";
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    QTimer look;  // a signal handler may do no more than set a flag
+    QObject::connect(&look, &QTimer::timeout, [] {
+        if (interrupted) QCoreApplication::quit();
+    });
+    look.start(50);
+    QTimer duration;
+    duration.setSingleShot(true);
+    QObject::connect(&duration, &QTimer::timeout, [&reason] {
+        reason = "duration reached";
+        QCoreApplication::quit();
+    });
+    if (options->duration_s) duration.start(static_cast<int>(std::lround(1e3 * *options->duration_s)));
+    QObject::connect(&run.failed(), &QTimer::timeout, [&reason] {
+        reason = "the tracks cannot be written";
+        QCoreApplication::quit();
+    });
+    run.start();
+    QCoreApplication::exec();
+
+    const auto summary = run.finish(reason);
+    if (!run.failure().empty()) return fail(ExitCode::Failed, run.failure());
+    if (run.tracks()) {
+        if (const auto written = run.tracks()->finish(summary); !written)
+            return fail(ExitCode::Failed, written.error());
+    } else {
+        std::cout << nlohmann::ordered_json{{"summary", summary}}.dump(2) << std::endl;
+    }
+    const std::string losses = run.losses();
+    return losses.empty() ? ExitCode::Done : fail(ExitCode::Lossy, losses);
+}
+
+}  // namespace
+
+Command addTrackCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("track", "Poll a head, record everything, follow the target");
+    auto arguments = std::make_shared<TrackArguments>();
+    addTrackOptions(*command, *arguments);
+    return [arguments] { return track(*arguments); };
+}
+
+}  // namespace echotrail

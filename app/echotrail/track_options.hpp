@@ -1,0 +1,42 @@
+#pragma once
+
+#include "app/io/link_address.hpp"
+#include "replay_options.hpp"
+
+#include <CLI/App.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace echotrail {
+
+/// The command line of `echotrail track`, as typed.
+struct TrackArguments {
+    std::string sonar, navigation, record, report, tracks, target;
+    std::vector<std::string> parameter_files, assignments;
+    std::uint64_t seed = 0;
+    double duration_s = 0.0;  ///< 0: until it is told to end
+    bool no_record = false, no_fan = false, quiet = false;
+};
+
+/// The same, understood and checked.
+struct TrackOptions {
+    LinkAddress sonar;
+    std::optional<LinkAddress> navigation, report;
+    std::string record;  ///< file, or nothing
+    std::string tracks;  ///< file, "-" or nothing
+    std::optional<ReplayOptions::Target> target;
+    Settings settings;
+    std::uint64_t seed = 0;
+    std::optional<double> duration_s;
+    bool paint_fan = true, quiet = false;
+};
+
+void addTrackOptions(CLI::App& command, TrackArguments& arguments);
+
+/// The error is a matter of usage.
+Result<TrackOptions> checkTrackOptions(const TrackArguments& arguments);
+
+}  // namespace echotrail

@@ -1,0 +1,25 @@
+#include "core/navigation/target_sentences.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace echotrail {
+
+std::string ttmSentence(const TrackLook& look, double closest_approach_m, double time_to_closest_s) {
+    const double metres_per_km = 1000.0;
+    const double speed_kmh = look.velocity_mps.norm() * 3.6;
+    const auto turn = [](double degrees) { return degrees < 0.0 ? degrees + 360.0 : degrees; };
+    const double course = turn(degreesFromRadians(std::atan2(look.velocity_mps.y(), look.velocity_mps.x())));
+    const char status = look.state == TrackState::Lost ? 'L' : look.state == TrackState::Confirmed ? 'T' : 'Q';
+    char body[128];
+    std::snprintf(body, sizeof body, "RATTM,%02d,%.4f,%.1f,R,%.2f,%.1f,T,%.4f,%.3f,K,,%c,,", look.track % 100,
+                  look.range_m / metres_per_km, turn(look.bearing.inDegrees()), speed_kmh, course,
+                  closest_approach_m / metres_per_km, time_to_closest_s / 60.0, status);
+    unsigned sum = 0;
+    for (const char* c = body; *c; ++c) sum ^= static_cast<unsigned char>(*c);
+    char sentence[160];
+    std::snprintf(sentence, sizeof sentence, "$%s*%02X\r\n", body, sum & 0xFFU);
+    return sentence;
+}
+
+}  // namespace echotrail
