@@ -64,7 +64,7 @@ void SimulatedHead::powerUp(Microseconds now) {
     ping_.reset();
     lines_due_.clear();
     ready_ = centred_;
-    last_trigger_ = centred_;
+    last_active_ = centred_;
     position_ = ahead_units;
     clockwise_ = true;
     output_.clear();
@@ -104,7 +104,7 @@ std::optional<Microseconds> SimulatedHead::deadline() const {
 
 std::optional<Microseconds> SimulatedHead::pingStart() const {
     if (ping_ || triggers_ == 0) return std::nullopt;
-    return std::max({ready_, last_trigger_, centred_, validated_});
+    return std::max({ready_, last_active_, centred_, validated_});
 }
 
 std::optional<Microseconds> SimulatedHead::nextEvent() const {
@@ -128,7 +128,7 @@ void SimulatedHead::advance(Microseconds now) {
     }
 }
 
-bool SimulatedHead::asleep(Microseconds now) const { return idle() && now - last_trigger_ >= motor_rests_after; }
+bool SimulatedHead::asleep(Microseconds now) const { return idle() && now - last_active_ >= motor_rests_after; }
 
 void SimulatedHead::sendAlive(Microseconds now) {
     enum : unsigned {
@@ -257,7 +257,7 @@ void SimulatedHead::takeTrigger(Microseconds now, seanet::Bytes payload) {
     if (held == 0) enterSector(now);
     // From rest a head with wires of its own gives two lines: so there is always one trigger in hand.
     triggers_ += held == 0 && !options_.half_duplex ? 2 : 1;
-    last_trigger_ = now;
+    last_active_ = now;
     advance(now);
 }
 
@@ -273,7 +273,7 @@ void SimulatedHead::finishPing(Microseconds now) {
     send(now, seanet::encodeHeadData(ping_->line, node()));
     ping_.reset();
     lines_due_.push_back(line_free_);
-    last_trigger_ = now;
+    last_active_ = now;
     next_alive_ = line_free_ + alive_interval;
     // With two wires for both ways the motor waits for the line, too: the period is the sum of all.
     const Microseconds still = options_.half_duplex ? line_free_ : now;

@@ -129,7 +129,7 @@ private:
     std::map<std::string, std::uint64_t> ignored_;
     std::uint64_t transmissions_ = 0;
     bool on_ = false;
-    Microseconds booted_{}, centred_{}, last_received_{}, last_trigger_{}, validated_{}, next_alive_{};
+    Microseconds booted_{}, centred_{}, last_received_{}, last_active_{}, validated_{}, next_alive_{};
     bool alives_stopped_ = false;
     std::uint32_t clock_ms_ = 0;  ///< time of day that the host told, at clock_set_
     Microseconds clock_set_{};
