@@ -24,12 +24,21 @@ namespace {
 volatile std::sig_atomic_t interrupted = 0;
 
 struct SimulateArguments {
-    std::string scenario, log, truth, serve_sonar;
-    std::vector<std::string> head_settings;
+    std::string scenario, log, truth, serve_sonar, serve_navigation;
+    std::vector<std::string> head_settings, faults;
     std::uint64_t seed = default_scenario_seed;
     double duration_s = 0.0;
     bool list = false;
 };
+
+template <class Params>
+std::string helpOf(const std::string& title) {
+    std::string text = title + "\n";
+    for (const ParameterInfo& info : describeParameters<Params>())
+        text += "  " + info.name + " = " + ParameterInfo::toText(info.default_value) +
+                (info.unit.empty() ? "" : " " + info.unit) + "\n      " + info.help + "\n";
+    return text + "\n";
+}
 
 ExitCode list() {
     for (const Scenario& scenario : scenarios()) std::cout << scenario.name << "\t" << scenario.description << "\n";
@@ -97,39 +106,57 @@ ExitCode writeLog(const SimulateArguments& arguments, SimulatedSource& source) {
     return ExitCode::Done;
 }
 
-/// Acts as a head until it is told to end.
-ExitCode serve(const SimulateArguments& arguments, const Scenario& scenario) {
-    SimulatedHeadOptions options;
-    for (const std::string& setting : arguments.head_settings)
-        if (const auto set = setParameterFromText(options, setting); !set) return fail(ExitCode::Usage, set.error());
-    const auto address = parseLinkAddress(arguments.serve_sonar);
-    if (!address) return fail(ExitCode::Usage, "--serve-sonar: " + address.error());
-    int argc = 1;
-    char name[] = "echotrail";
-    char* argv[] = {name, nullptr};
-    const QCoreApplication application(argc, argv);
-    auto server = ByteServer::listen(*address);
-    if (!server) return fail(ExitCode::Failed, server.error());
-    std::cout << nlohmann::ordered_json{{"scenario", scenario.name},
-                                        {"seed", arguments.seed},
-                                        {"sonar", (*server)->address()}}
-                     .dump()
-              << std::endl;
-    SimulatedDevice device(scenario, arguments.seed, options, *std::move(server));
+template <class Params>
+Result<void> setAll(Params& params, const std::vector<std::string>& assignments) {
+    for (const std::string& assignment : assignments)
+        if (auto set = setParameterFromText(params, assignment); !set) return set;
+    return {};
+}
+
+/// A server where an address is given, nothing where none is.
+Result<std::unique_ptr<ByteServer>> serverAt(const std::string& option, const std::string& text) {
+    if (text.empty()) return std::unique_ptr<ByteServer>();
+    const auto address = parseLinkAddress(text);
+    if (!address) return Error{option + ": " + address.error()};
+    return ByteServer::listen(*address);
+}
+
+void runUntilToldToEnd(double duration_s) {
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });
-    QTimer look;
+    QTimer look, duration;
     QObject::connect(&look, &QTimer::timeout, [] {
         if (interrupted) QCoreApplication::quit();
     });
     look.start(50);
-    QTimer duration;
-    duration.setSingleShot(true);
     QObject::connect(&duration, &QTimer::timeout, [] { QCoreApplication::quit(); });
-    if (arguments.duration_s > 0.0) duration.start(static_cast<int>(std::lround(1e3 * arguments.duration_s)));
-    device.start();
+    if (duration_s > 0.0) duration.start(static_cast<int>(std::lround(1e3 * duration_s)));
     QCoreApplication::exec();
-    std::cout << nlohmann::ordered_json{{"transmissions", device.transmissions()}, {"ignored", device.ignored()}}.dump()
+}
+
+/// Acts as a head, and its vehicle's navigation, until it is told to end.
+ExitCode serve(const SimulateArguments& arguments, const Scenario& scenario) {
+    SimulatedDevice::Setup setup{scenario, arguments.seed, {}, {}};
+    if (const auto set = setAll(setup.head, arguments.head_settings); !set) return fail(ExitCode::Usage, set.error());
+    if (const auto set = setAll(setup.faults, arguments.faults); !set) return fail(ExitCode::Usage, set.error());
+    int argc = 1;
+    char name[] = "echotrail";
+    char* argv[] = {name, nullptr};
+    const QCoreApplication application(argc, argv);
+    auto sonar = serverAt("--serve-sonar", arguments.serve_sonar);
+    if (!sonar) return fail(ExitCode::Failed, sonar.error());
+    auto navigation = serverAt("--serve-navigation", arguments.serve_navigation);
+    if (!navigation) return fail(ExitCode::Failed, navigation.error());
+    nlohmann::ordered_json told{{"scenario", scenario.name}, {"seed", arguments.seed}, {"sonar", (*sonar)->address()}};
+    if (*navigation) told["navigation"] = (*navigation)->address();
+    std::cout << told.dump() << std::endl;
+    SimulatedDevice device(setup, *std::move(sonar), *std::move(navigation));
+    device.start();
+    runUntilToldToEnd(arguments.duration_s);
+    std::cout << nlohmann::ordered_json{{"transmissions", device.transmissions()},
+                                        {"ignored", device.ignored()},
+                                        {"faults", device.faults()}}
+                     .dump()
               << std::endl;
     return ExitCode::Done;
 }
@@ -167,6 +194,13 @@ Command addSimulateCommand(CLI::App& program) {
     command->add_option("--serve-sonar", a->serve_sonar,
                         "Act as a head on tcp://ADDR:PORT, udp://ADDR:PORT or pty; port 0 is any free one");
     command->add_option("--head", a->head_settings, "NAME=VALUE of the simulated head, as in head_model=dfs");
+    command->add_option("--serve-navigation", a->serve_navigation,
+                        "Say the vehicle's navigation (NMEA 0183) on tcp://ADDR:PORT, udp://ADDR:PORT or pty");
+    command->add_option("--fault", a->faults, "NAME=VALUE of a fault of the link to the head, as in lost_bytes=0.001");
+    command->footer([] {
+        return "\n" + helpOf<SimulatedHeadOptions>("For --head NAME=VALUE") +
+               helpOf<LinkFaultParams>("For --fault NAME=VALUE");
+    });
     return [a] { return simulate(*a); };
 }
 

@@ -6,43 +6,94 @@
 
 namespace echotrail {
 
-SimulatedDevice::SimulatedDevice(const Scenario& scenario, std::uint64_t seed, const SimulatedHeadOptions& head,
-                                 std::unique_ptr<ByteServer> sonar)
-    : scenario_(scenario),
-      seed_(seed),
-      sonar_(std::move(sonar)),
-      head_(head,
-            [this](const HeadSetup& setup, Microseconds at, std::uint64_t number) { return hear(setup, at, number); }) {
+namespace {
+
+constexpr int navigation_interval_ms = 50;
+
+QByteArray toQt(std::span<const std::uint8_t> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), static_cast<int>(bytes.size())};
 }
+
+Timestamp utcNow() { return std::chrono::time_point_cast<Microseconds>(std::chrono::system_clock::now()); }
+
+}  // namespace
+
+SimulatedDevice::SimulatedDevice(const Setup& setup, std::unique_ptr<ByteServer> sonar,
+                                 std::unique_ptr<ByteServer> navigation)
+    : setup_(setup),
+      sonar_(std::move(sonar)),
+      navigation_(std::move(navigation)),
+      head_(setup.head,
+            [this](const HeadSetup& head, Microseconds at, std::uint64_t number) { return hear(head, at, number); }),
+      faults_(setup.faults, setup.seed) {}
 
 void SimulatedDevice::start() {
     deadline_.setSingleShot(true);
     deadline_.setTimerType(Qt::PreciseTimer);
     connect(&deadline_, &QTimer::timeout, this, [this] { move(); });
     connect(sonar_.get(), &ByteServer::received, this, [this](const QByteArray& bytes) {
-        head_.received(
-            now(), {reinterpret_cast<const std::uint8_t*>(bytes.constData()), static_cast<std::size_t>(bytes.size())});
+        if (!faults_.down())
+            head_.received(now(), {reinterpret_cast<const std::uint8_t*>(bytes.constData()),
+                                   static_cast<std::size_t>(bytes.size())});
         move();
     });
+    if (navigation_) {
+        navigation_timer_.setTimerType(Qt::PreciseTimer);
+        connect(&navigation_timer_, &QTimer::timeout, this, [this] { sayNavigation(); });
+        navigation_timer_.start(navigation_interval_ms);
+    }
     head_.powerUp(now());
     move();
 }
 
-std::vector<std::uint8_t> SimulatedDevice::hear(const HeadSetup& setup, Microseconds at, std::uint64_t number) {
+std::vector<std::uint8_t> SimulatedDevice::hear(const HeadSetup& head, Microseconds at, std::uint64_t number) {
     if (!first_transmission_) first_transmission_ = at;
     const double time_s = std::chrono::duration<double>(at - *first_transmission_).count();
-    return simulateEcho(scenario_, seed_, setup, time_s, number);
+    return simulateEcho(setup_.scenario, setup_.seed, head, time_s, number);
 }
 
 /// Does what is due, hands over what is through the line, and comes back in time for the next.
 void SimulatedDevice::move() {
     head_.tick(now());
-    for (const TimedBytes& piece : head_.takeOutput(now()))
-        sonar_->send(
-            QByteArray(reinterpret_cast<const char*>(piece.bytes.data()), static_cast<int>(piece.bytes.size())));
-    if (const auto at = head_.deadline())
+    for (const TimedBytes& piece : head_.takeOutput(now())) faults_.send(piece.at, piece.bytes);
+    faults_.tick(now());
+    for (const LinkHappening& happening : faults_.takeOutput(now())) happen(happening);
+    auto next = head_.deadline();
+    if (const auto fault = faults_.deadline(); fault && (!next || *fault < *next)) next = fault;
+    if (next)
         deadline_.start(
-            std::max(std::chrono::ceil<std::chrono::milliseconds>(*at - now()), std::chrono::milliseconds(0)));
+            std::max(std::chrono::ceil<std::chrono::milliseconds>(*next - now()), std::chrono::milliseconds(0)));
+}
+
+void SimulatedDevice::happen(const LinkHappening& happening) {
+    switch (happening.kind) {
+        case LinkHappening::Kind::Read:
+            sonar_->send(toQt(happening.bytes));
+            break;
+        case LinkHappening::Kind::Down:
+            sonar_->drop();
+            break;
+        case LinkHappening::Kind::Up:
+            break;  // whoever asks is let in again
+        case LinkHappening::Kind::Reboot:
+            head_.powerUp(now());
+            break;
+    }
+}
+
+void SimulatedDevice::sayNavigation() {
+    if (!first_transmission_) {
+        // The vehicle waits where the scenario begins.
+        const NavigationSample waiting = SimulatedNavigation(setup_.scenario, setup_.seed).next();
+        NavigationSample still = waiting;
+        still.over_ground_mps = still.through_water_mps = {0.0, 0.0};
+        const std::string text = headingSentence(still) + positionSentence(still, utcNow(), {});
+        navigation_->send(QByteArray::fromStdString(text));
+        return;
+    }
+    const Microseconds since = now() - *first_transmission_;
+    if (!nmea_) nmea_.emplace(setup_.scenario, setup_.seed, utcNow() - since);
+    for (const NmeaOutput::Said& said : nmea_->take(since)) navigation_->send(QByteArray::fromStdString(said.text));
 }
 
 Microseconds SimulatedDevice::now() const {

@@ -22,11 +22,7 @@ Result<SourceAddress> parseSimulation(const std::string& text, std::string rest)
             return Error{text + ": after '?' only seed=N is understood, N a whole number"};
         rest.resize(question);
     }
-    const auto& all = scenarios();
-    std::string known;
-    for (const Scenario& scenario : all) known += (known.empty() ? "" : ", ") + scenario.name;
-    if (std::none_of(all.begin(), all.end(), [&](const Scenario& scenario) { return scenario.name == rest; }))
-        return Error{"no scenario is called '" + rest + "'; there are: " + known};
+    if (const auto opened = openSimulation(rest, address.seed); !opened) return Error{opened.error()};
     address.scenario = rest;
     return address;
 }

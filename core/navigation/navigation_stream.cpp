@@ -110,7 +110,7 @@ void NavigationStream::takeFix(const NmeaSentence& sentence, Timestamp time) {
         ++status_.unused[sentence.id];
         return;
     }
-    if (place_time_ && time <= *place_time_ && fix_time_) return reject(nmea_cause::out_of_order);
+    if (fix_time_ && time <= *fix_time_) return reject(nmea_cause::out_of_order);
     if (!plane_) {
         plane_.emplace(*fix);
         plane_origin_ = place_;
@@ -158,7 +158,11 @@ void NavigationStream::takeDepth(const NmeaSentence& sentence) {
 }
 
 void NavigationStream::addPosition(Timestamp time) {
-    if (!append(positions_, TimedPosition{time, place_})) return reject(nmea_cause::out_of_order);
+    // A fix and a speed may come at one moment: the later word counts, for what is not said yet.
+    if (!positions_.empty() && positions_.back().time == time)
+        positions_.back().position = place_;
+    else if (!append(positions_, TimedPosition{time, place_}))
+        return reject(nmea_cause::out_of_order);
     status_.position_time = time;
     emitCovered();
 }

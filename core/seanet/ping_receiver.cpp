@@ -55,10 +55,16 @@ void PingReceiver::reset(const Sink& sink) {
 }
 
 void PingReceiver::finish(const Sink& sink) {
-    if (giveUp(sink)) ++own_counts_.ignored["unfinished frame"];
+    SourceCounts before = counts();
+    // What stands in an unfinished frame is looked through for whole ones, but is no fault of the link's.
+    if (giveUp(sink)) {
+        ++before.ignored["unfinished frame"];
+        final_counts_ = std::move(before);
+    }
 }
 
 SourceCounts PingReceiver::counts() const {
+    if (final_counts_) return *final_counts_;
     SourceCounts counts = own_counts_;
     counts.skipped_bytes = parser_.skippedBytes();
     for (const auto& [cause, number] : parser_.rejected()) counts.rejected[cause] += number;

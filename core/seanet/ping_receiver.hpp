@@ -53,6 +53,7 @@ private:
     std::optional<Timestamp> last_arrival_, last_ping_;
     std::uint64_t sequence_ = 0;
     SourceCounts own_counts_;
+    std::optional<SourceCounts> final_counts_;  ///< after finish()
 };
 
 }  // namespace echotrail::seanet

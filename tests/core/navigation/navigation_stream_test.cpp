@@ -73,6 +73,14 @@ TEST_F(Stream, TheFirstFixIsLaidWhereReckoningHasCome) {
     EXPECT_EQ(stream_.status().position_kind, "GGA");
 }
 
+TEST_F(Stream, AFixAndASpeedAtOneMomentBothCount) {
+    say(0.0, "HEHDT,000.0,T");
+    say(0.0, "VDVBW,,,V,1.9438445,0.0,A");
+    say(0.0, "GPGGA,120000,4500.0000,N,00700.0000,E,1,08,1.0,0,M,0,M,,");
+    EXPECT_TRUE(stream_.status().rejected.empty());
+    EXPECT_EQ(stream_.status().position_kind, "GGA");
+}
+
 TEST_F(Stream, HeadingsWaitForASlowerPositionAndAreThenInterpolated) {
     say(0.0, "HEHDT,000.0,T");
     say(0.0, "GPGGA,120000,4500.0000,N,00700.0000,E,1,08,1.0,0,M,0,M,,");

@@ -87,9 +87,13 @@ TEST(PingReceiver, AFrameUnfinishedAtTheEndIsCountedButNoLoss) {
     const auto bytes = encodeHeadData(lineAt(3200));
     Receiving r;
     r.take(1.0, bytes);
-    r.take(1.2, Bytes(bytes).first(300));
+    auto cut = Bytes(bytes).first(300);
+    std::vector<std::uint8_t> with_noise(cut.begin(), cut.end());
+    with_noise[200] = '@';  // what looks like a beginning inside it
+    r.take(1.2, with_noise);
     r.receiver.finish([](Ping&&) { FAIL(); });
     EXPECT_EQ(r.receiver.counts().lost_records, 0u);
+    EXPECT_TRUE(r.receiver.counts().rejected.empty());
     EXPECT_EQ(r.receiver.counts().ignored.at("unfinished frame"), 1u);
 }
 
