@@ -18,6 +18,12 @@ Command addTrackCommand(CLI::App& program);
 /// `echotrail replay`: a recording through the pipeline, tracks out.
 Command addReplayCommand(CLI::App& program);
 
+/// `echotrail recover`: what is whole in a damaged log, to a new one.
+Command addRecoverCommand(CLI::App& program);
+
+/// `echotrail convert`: exports and imports.
+Command addConvertCommand(CLI::App& program);
+
 /// `echotrail info`: what is in a recording.
 Command addInfoCommand(CLI::App& program);
 

@@ -15,11 +15,11 @@ ExitCode runCommand(int argc, char** argv) {
     CLI::App program{"Echotrail without a screen: sonar recordings in, tracked targets out.", "echotrail"};
     program.set_version_flag("--version", ECHOTRAIL_VERSION);
     program.require_subcommand(1);
-    const std::map<std::string, echotrail::Command> commands{{"track", echotrail::addTrackCommand(program)},
-                                                             {"replay", echotrail::addReplayCommand(program)},
-                                                             {"simulate", echotrail::addSimulateCommand(program)},
-                                                             {"verify", echotrail::addVerifyCommand(program)},
-                                                             {"info", echotrail::addInfoCommand(program)}};
+    const std::map<std::string, echotrail::Command> commands{
+        {"track", echotrail::addTrackCommand(program)},       {"replay", echotrail::addReplayCommand(program)},
+        {"simulate", echotrail::addSimulateCommand(program)}, {"verify", echotrail::addVerifyCommand(program)},
+        {"convert", echotrail::addConvertCommand(program)},   {"recover", echotrail::addRecoverCommand(program)},
+        {"info", echotrail::addInfoCommand(program)}};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,6 +1,5 @@
 #include "commands.hpp"
-#include "core/recording/log_writer.hpp"
-#include "core/seanet/head_data.hpp"
+#include "core/recording/ping_log.hpp"
 #include "core/simulation/demonstration.hpp"
 #include "core/simulation/ping_model.hpp"
 #include "core/simulation/truth_file.hpp"
@@ -54,53 +53,23 @@ Result<void> writeTruth(const std::string& path, const SimulatedSource& source) 
     return {};
 }
 
-/// A ping as the head sends it.
-seanet::HeadData lineOf(const Ping& ping, double sector_half_width_deg) {
-    const auto sixteenths = [](double degrees) {
-        return static_cast<std::uint16_t>(std::lround(3200.0 + degrees * 6400.0 / 360.0));
-    };
-    seanet::HeadData line;
-    line.device_type = 2;
-    line.head_control = ping.clockwise ? 0x2305 : 0x2301;
-    line.range_scale = static_cast<std::uint16_t>(std::lround(10.0 * ping.range_scale_m));
-    line.transmit_word = static_cast<std::uint32_t>(std::llround(ping.frequency_hz * 4294967296.0 / 32e6));
-    line.gain = static_cast<std::uint8_t>(std::lround(2.1 * ping.gain_percent));
-    line.ad_span = 255;
-    line.ad_interval = static_cast<std::uint16_t>(std::lround(ping.bin_interval_s / 640e-9));
-    line.left_limit = sixteenths(-sector_half_width_deg);
-    line.right_limit = sixteenths(sector_half_width_deg);
-    line.step = static_cast<std::uint8_t>(std::lround(degreesFromRadians(ping.step_rad) * 6400.0 / 360.0));
-    line.bearing = sixteenths(ping.bearing.inDegrees());
-    line.data = ping.levels;
-    return line;
-}
-
-/// The scenario as a recording, at once: the lines its head sends, and when they arrive.
+/// The scenario as a recording, at once.
 ExitCode writeLog(const SimulateArguments& arguments, SimulatedSource& source) {
     const LogHeader header{ECHOTRAIL_VERSION, "simulated: " + source.scenario().name,
                            parameterText(ScanningSonarPipeline::Params{}), 0, simulation_start};
-    auto log = LogWriter::create(arguments.log, header);
-    if (!log) return fail(ExitCode::Failed, log.error());
-    constexpr Microseconds head_latency{3'000};
-    Event event;
-    std::uint64_t pings = 0;
-    while (const auto ping = source.next()) {
-        if (arguments.duration_s > 0.0 && secondsBetween(source.info().start, ping->time) > arguments.duration_s) break;
-        const seanet::HeadData line = lineOf(*ping, source.scenario().sector_half_width_deg);
-        const double flight_s = line.ad_interval * 640e-9 * static_cast<double>(line.data.size());
-        event.kind = EventKind::SonarBytes;
-        event.utc = ping->time + microsecondsFromSeconds(flight_s) + head_latency;
-        event.monotonic = event.utc - source.info().start;
-        event.payload = seanet::encodeHeadData(line);
-        if (auto added = (*log)->add(event); !added) return fail(ExitCode::Failed, added.error());
-        ++event.number;
-        ++pings;
-    }
-    if (auto closed = (*log)->close(); !closed) return fail(ExitCode::Failed, closed.error());
+    std::optional<Timestamp> end;
+    if (arguments.duration_s > 0.0) end = source.info().start + microsecondsFromSeconds(arguments.duration_s);
+    std::vector<std::pair<Timestamp, std::string>> navigation;
+    NmeaOutput nmea(source.scenario(), arguments.seed, source.info().start);
+    const Microseconds duration = end.value_or(source.info().end) - source.info().start;
+    for (NmeaOutput::Said& said : nmea.take(duration + Microseconds(1'000'000)))
+        navigation.emplace_back(source.info().start + said.at, std::move(said.text));
+    const auto pings = writePingLog(arguments.log, header, source, end, navigation);
+    if (!pings) return fail(ExitCode::Failed, pings.error());
     std::cout << nlohmann::ordered_json{{"scenario", source.scenario().name},
                                         {"seed", arguments.seed},
                                         {"log", arguments.log},
-                                        {"pings", pings}}
+                                        {"pings", *pings}}
                      .dump()
               << std::endl;
     return ExitCode::Done;

@@ -41,7 +41,7 @@ Result<void> readOptions(std::string_view options, LinkAddress& address) {
         } else if (name == "format" && !serial && (value == "json" || value == "nmea")) {
             address.format = value;
         } else {
-            return Error{"'" + std::string(option) + "' is not understood after '?'"};
+            return Error{"the option " + std::string(option) + " is not understood"};
         }
     }
     return {};

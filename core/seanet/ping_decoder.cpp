@@ -56,6 +56,30 @@ Ping pingFrom(const HeadData& line, std::uint64_t sequence, Timestamp transmit, 
     return ping;
 }
 
+HeadData lineFrom(const Ping& ping) {
+    constexpr double digital_from_hz = 1.0;  // a head that tells its frequency is taken for a digital one
+    constexpr std::uint16_t clockwise_eight_bit = 0x2305, anticlockwise_eight_bit = 0x2301, motor_off_sync = 2;
+    const auto rounded = [](double value, double most) { return std::lround(std::clamp(value, 0.0, most)); };
+    HeadData line;
+    line.device_type = ping.frequency_hz >= digital_from_hz ? 0x11 : 2;
+    line.status = ping.motor_lost_sync ? motor_off_sync : 0;
+    line.head_control = ping.clockwise ? clockwise_eight_bit : anticlockwise_eight_bit;
+    line.range_scale = static_cast<std::uint16_t>(rounded(10.0 * ping.range_scale_m, 0x3FFF));
+    line.transmit_word = static_cast<std::uint32_t>(
+        std::llround(std::clamp(ping.frequency_hz * 0x1p32 / head_clock_hz, 0.0, 4294967295.0)));
+    line.gain = static_cast<std::uint8_t>(rounded(2.1 * ping.gain_percent, 255));
+    line.ad_span = 255;
+    line.ad_interval = static_cast<std::uint16_t>(rounded(ping.bin_interval_s / tick_s, 65'535));
+    line.left_limit = 1;
+    line.right_limit = 6399;
+    line.step = static_cast<std::uint8_t>(rounded(ping.step_rad / unit_rad, 255));
+    line.bearing = static_cast<std::uint16_t>((std::lround(ping.bearing.inRadians() / unit_rad) + 9600) % 6400);
+    line.data = ping.levels;
+    line.total = static_cast<std::uint16_t>(head_parameter_bytes + line.data.size());
+    line.data_bytes = static_cast<std::uint16_t>(line.data.size());
+    return line;
+}
+
 double pingDurationSeconds(const HeadData& line, double sound_speed_mps) {
     const double water =
         2.0 * rangeScaleMetres(line.range_scale) / sound_speed_mps + line.step * motor_tick_s + processing_s;

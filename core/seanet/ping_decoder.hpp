@@ -10,6 +10,10 @@ namespace echotrail::seanet {
 /// `transmit` is the instant of transmission.
 Ping pingFrom(const HeadData& line, std::uint64_t sequence, Timestamp transmit, double sound_speed_mps);
 
+/// The other way round: a line of 8-bit bins that pingFrom() reads as this ping again, but for its time and number.
+/// What a ping does not hold (limits, slope) is made up: a full turn.
+HeadData lineFrom(const Ping& ping);
+
 /// Bin levels 0…255 of 80 dB, nearest first; of two 4-bit bins in a byte the high nibble is the nearer.
 std::vector<std::uint8_t> levelsOf(const HeadData& line);
 
