@@ -60,7 +60,10 @@ bool ReplayPlayer::windTo(std::uint64_t index) {
         source_->rewind();
         source_index_ = 0;
     }
-    for (int i = 0; i < pings_read_per_slice && source_index_ < index; ++i) readKnown();
+    for (int i = 0; i < pings_read_per_slice && source_index_ < index; ++i) {
+        readKnown();
+        source_->takeControls();  // they were of pings that have been passed
+    }
     return source_index_ == index;
 }
 
@@ -79,7 +82,9 @@ bool ReplayPlayer::analyse() {
     Timeline& found = analysis_->timeline;
     if (!windTo(found.analysed)) return false;
     for (int i = 0; i < pings_analysed_per_slice && found.analysed < size(); ++i) {
-        const Update& update = analysis_->pipeline->process(readKnown(), source_->navigation());
+        const Ping ping = readKnown();
+        applyRecorded(*analysis_->pipeline);
+        const Update& update = analysis_->pipeline->process(ping, source_->navigation());
         // Tracks change when they were looked at; asking after every ping would copy every particle every time.
         if (!update.looks.empty()) analysis_->followed = anyFollowed(analysis_->pipeline->tracks());
         extendTimeline(found, found.analysed, update.sweep_ended, analysis_->followed);
@@ -100,6 +105,7 @@ bool ReplayPlayer::advance() {
     }
     if (!windTo(position_)) return false;
     ping_ = readKnown();
+    applyRecorded(*pipeline_);
     const double before = processorSeconds();
     latest_ = pipeline_->process(ping_, source_->navigation());
     builder_->add(ping_, latest_, processorSeconds() - before);
@@ -141,6 +147,17 @@ void ReplayPlayer::apply(const Designation& designation) {
         pipeline_->designate(designation.range_m, designation.from_bow);
     else
         pipeline_->clearDesignation();
+}
+
+/// What the operator picked in the run that was recorded. Its parameters are not taken over here: those in the form
+/// are in force, and the form must not lie.
+void ReplayPlayer::applyRecorded(ScanningSonarPipeline& pipeline) {
+    for (const RunControl& control : source_->takeControls()) {
+        if (control.kind == RunControl::Kind::Designation)
+            pipeline.designate(control.range_m, control.from_bow);
+        else if (control.kind == RunControl::Kind::ClearDesignation)
+            pipeline.clearDesignation();
+    }
 }
 
 void ReplayPlayer::applyDesignationsHere() {

@@ -72,6 +72,7 @@ private:
     Ping readKnown();
     void remember(const Designation& designation);
     void apply(const Designation& designation);
+    void applyRecorded(ScanningSonarPipeline& pipeline);
     void applyDesignationsHere();
 
     std::unique_ptr<PingSource> source_;

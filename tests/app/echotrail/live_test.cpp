@@ -1,0 +1,175 @@
+#include "program.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+
+namespace echotrail {
+namespace {
+
+/// echotrail in the background; it is told to end when this goes.
+class Background {
+public:
+    explicit Background(std::vector<std::string> arguments) {
+        int ends[2];
+        if (pipe2(ends, O_CLOEXEC) != 0) return;
+        process_ = fork();
+        if (process_ == 0) {
+            dup2(ends[1], STDOUT_FILENO);
+            const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+            dup2(nowhere, STDERR_FILENO);
+            arguments.insert(arguments.begin(), ECHOTRAIL_PROGRAM);
+            std::vector<char*> argv;
+            for (std::string& argument : arguments) argv.push_back(argument.data());
+            argv.push_back(nullptr);
+            execv(ECHOTRAIL_PROGRAM, argv.data());
+            _exit(127);
+        }
+        close(ends[1]);
+        output_ = ends[0];
+    }
+    ~Background() {
+        end(SIGTERM);
+        close(output_);
+    }
+    Background(const Background&) = delete;
+    Background& operator=(const Background&) = delete;
+
+    /// The next line of its standard output; empty where none comes within a minute.
+    std::string line() const {
+        std::string text;
+        for (char c = 0; text.size() < 10'000;) {
+            pollfd wait{output_, POLLIN, 0};
+            if (poll(&wait, 1, 60'000) != 1 || read(output_, &c, 1) != 1 || c == '\n') break;
+            text += c;
+        }
+        return text;
+    }
+    /// Its exit code; −1 where the signal ended it.
+    int end(int signal) {
+        if (process_ <= 0) return -1;
+        kill(process_, signal);
+        int status = 0;
+        waitpid(process_, &status, 0);
+        process_ = -1;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+private:
+    pid_t process_ = -1;
+    int output_ = -1;
+};
+
+/// A simulated head that is ready at once, at the address it tells.
+class LiveProgram : public testing::TestWithParam<const char*> {
+protected:
+    static std::vector<std::string> simulate(const std::string& where) {
+        return {"simulate",      "demo",   "--serve-sonar",     where,        "--head",
+                "head_boot_s=0", "--head", "head_centring_s=0", "--duration", "100"};
+    }
+    static std::string sonarOf(const Background& head) {
+        return nlohmann::json::parse(head.line(), nullptr, false).value("sonar", "");
+    }
+    /// Without the summary, which tells how long things took.
+    static std::vector<std::string> looksIn(const std::string& path) {
+        std::vector<std::string> lines = linesOf(contentOf(path));
+        if (!lines.empty()) lines.pop_back();
+        return lines;
+    }
+    ScratchFolder folder_;
+};
+
+TEST_P(LiveProgram, ItsRecordingGivesTheSameTracks) {
+    const Background head(simulate(GetParam()));
+    const std::string sonar = sonarOf(head);
+    ASSERT_NE(sonar, "");
+    const std::string log = folder_.path("a.echotrail"), live = folder_.path("live.jsonl");
+    const Outcome tracked = run({"track", "--sonar", sonar, "--record", log, "--tracks", live, "--duration", "16",
+                                 "--quiet", "--set", "channel=low"});
+    EXPECT_EQ(tracked.exit_code, 0) << tracked.errors;
+    const auto summary = nlohmann::json::parse(linesOf(contentOf(live)).back())["summary"];
+    EXPECT_GT(summary["pings"].get<int>(), 50);
+    EXPECT_EQ(summary["exit_reason"], "duration reached");
+
+    const std::string again = folder_.path("again.jsonl");
+    EXPECT_EQ(run({"replay", log, "--tracks", again}).exit_code, 0);
+    EXPECT_EQ(looksIn(again), looksIn(live));
+    EXPECT_FALSE(looksIn(live).empty());
+    const Outcome verified = run({"verify", log});
+    EXPECT_EQ(verified.exit_code, 0) << verified.output << verified.errors;
+    EXPECT_NE(verified.output.find("identical"), std::string::npos);
+    EXPECT_EQ(run({"info", log}).exit_code, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Channels, LiveProgram, testing::Values("tcp://127.0.0.1:0", "udp://127.0.0.1:0", "pty"));
+
+using LiveRecording = LiveProgram;
+
+TEST_F(LiveRecording, AKilledTrackerLeavesALogThatOpensAndVerifies) {
+    const Background head(simulate("tcp://127.0.0.1:0"));
+    const std::string log = folder_.path("killed.echotrail");
+    {
+        Background track({"track", "--sonar", sonarOf(head), "--record", log, "--tracks", "-"});
+        while (!std::filesystem::exists(log)) usleep(20'000);
+        sleep(6);  // pings are coming, and some commits have been made
+        track.end(SIGKILL);
+    }
+    const Outcome verified = run({"verify", log});
+    EXPECT_EQ(verified.exit_code, 0) << verified.output << verified.errors;
+    EXPECT_EQ(run({"info", log}).exit_code, 0);
+}
+
+TEST_F(LiveRecording, TheSignalToEndClosesTheLogAndWritesTheSummary) {
+    const Background head(simulate("tcp://127.0.0.1:0"));
+    const std::string log = folder_.path("ended.echotrail"), tracks = folder_.path("t.jsonl");
+    Background track({"track", "--sonar", sonarOf(head), "--record", log, "--tracks", tracks});
+    while (!std::filesystem::exists(log)) usleep(20'000);
+    sleep(4);
+    EXPECT_EQ(track.end(SIGTERM), 0);
+    const auto summary = nlohmann::json::parse(linesOf(contentOf(tracks)).back())["summary"];
+    EXPECT_EQ(summary["exit_reason"], "interrupted");
+    EXPECT_FALSE(std::filesystem::exists(log + "-wal"));
+}
+
+TEST(LiveUsage, WrongAddressesAreSaidInOneLine) {
+    for (const char* sonar : {"tcp://nowhere", "serial://ttyUSB0", "a.V4LOG", "udp://h:99999"}) {
+        const Outcome outcome = run({"track", "--sonar", sonar, "--no-record"});
+        EXPECT_EQ(outcome.exit_code, 2) << sonar;
+        EXPECT_TRUE(isOneLine(outcome.errors)) << outcome.errors;
+    }
+    const ScratchFolder folder;
+    const Outcome exists = run({"track", "--sonar", "tcp://127.0.0.1:1", "--record", folder.write("x.echotrail", "x")});
+    EXPECT_EQ(exists.exit_code, 1);
+    EXPECT_TRUE(isOneLine(exists.errors)) << exists.errors;
+}
+
+TEST(Convert, AnImportedScenarioGivesItsTracksAndItsPings) {
+    const ScratchFolder folder;
+    const std::string log = folder.path("s.echotrail"), truth = folder.path("truth.csv");
+    ASSERT_EQ(run({"simulate", "demo", "--log", log, "--truth", truth, "--duration", "40"}).exit_code, 0);
+    EXPECT_EQ(linesOf(contentOf(truth)).front(),
+              "t,target,north_m,east_m,velocity_north_mps,velocity_east_mps,visible");
+    ASSERT_EQ(run({"replay", log, "--tracks", folder.path("a.jsonl")}).exit_code, 0);
+    ASSERT_EQ(run({"convert", log, folder.path("tracks.csv")}).exit_code, 0);
+    EXPECT_EQ(linesOf(contentOf(folder.path("tracks.csv"))).size(), linesOf(contentOf(folder.path("a.jsonl"))).size());
+    ASSERT_EQ(run({"convert", log, folder.path("pings.csv"), "--what", "pings"}).exit_code, 0);
+    const auto summary = nlohmann::json::parse(linesOf(contentOf(folder.path("a.jsonl"))).back())["summary"];
+    EXPECT_EQ(linesOf(contentOf(folder.path("pings.csv"))).size(), summary["pings"].get<std::size_t>() + 1);
+    EXPECT_EQ(run({"convert", log, folder.path("picture.gif")}).exit_code, 2);
+
+    std::string bytes = contentOf(log);
+    bytes.resize(bytes.size() / 2);
+    const std::string cut = folder.write("cut.echotrail", bytes), saved = folder.path("saved.echotrail");
+    EXPECT_EQ(run({"recover", cut, saved}).exit_code, 3);
+    EXPECT_NE(run({"info", saved}).output.find("Echotrail log"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace echotrail
