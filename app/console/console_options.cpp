@@ -26,13 +26,25 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
     ConsoleOptions options;
     std::vector<std::string> files;
     std::vector<std::string> assignments;
-    CLI::App app{"Echotrail operator console: plays sonar recordings through the tracker."};
+    CLI::App app{
+        "Echotrail operator console: polls a sonar head, or plays recordings, and shows what the tracker finds."};
     app.set_version_flag("--version", ECHOTRAIL_VERSION);
-    auto* recording = app.add_option("RECORDING", options.recording, "Recording to open: .V4LOG or raw .bin");
-    app.add_flag("--demonstration", options.demonstration, "Open the built-in simulated approach")->excludes(recording);
+    auto* recording =
+        app.add_option("RECORDING", options.recording, "Recording to open: .echotrail, .V4LOG or raw .bin");
+    auto* demonstration =
+        app.add_flag("--demonstration", options.demonstration, "Open the built-in simulated approach");
+    demonstration->excludes(recording);
+    auto* sonar = app.add_option("--sonar", options.sonar,
+                                 "Connect to a head: serial:///dev/ttyUSB0?baud=115200, tcp://HOST:PORT or "
+                                 "udp://HOST:PORT?listen=PORT");
+    sonar->excludes(recording)->excludes(demonstration);
+    app.add_option("--navigation", options.navigation, "NMEA 0183 (heading, position, speed) from a link of this form")
+        ->needs(sonar);
+    app.add_flag("--no-record", options.no_record, "Keep nothing of what the head sends")->needs(sonar);
     auto* picture = app.add_option("--screenshot", options.screenshot,
                                    "Write a PNG of the window at --at, then exit; settings are not touched");
-    app.add_option("--at", options.at_s, "Moment of the picture in seconds from the start (default: the end)")
+    app.add_option("--at", options.at_s,
+                   "Moment of the picture in seconds from the start (default: the end, or the first sweep of a head)")
         ->check(CLI::NonNegativeNumber)
         ->needs(picture);
     app.add_option("--palette", options.palette, "day, dusk or night (default: as last time)")
@@ -49,8 +61,9 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : usage_error;
     }
-    if (!options.screenshot.empty() && options.recording.empty() && !options.demonstration && options.at_s) {
-        std::cerr << "echotrail-console: --at needs a RECORDING or --demonstration\n";
+    if (!options.screenshot.empty() && options.recording.empty() && !options.demonstration && options.sonar.empty() &&
+        options.at_s) {
+        std::cerr << "echotrail-console: --at needs a RECORDING, --demonstration or --sonar\n";
         return usage_error;
     }
     if (const auto applied = applyParameters(options.params, files, assignments); !applied) {

@@ -13,6 +13,9 @@ namespace echotrail {
 struct ConsoleOptions {
     std::string recording;  ///< empty: none
     bool demonstration = false;
+    std::string sonar;       ///< address of a head to connect to; empty: none
+    std::string navigation;  ///< address of its NMEA 0183; empty: none
+    bool no_record = false;
     std::string screenshot;  ///< PNG file; empty: an ordinary session
     std::optional<double> at_s;
     std::string palette;  ///< empty: as last time

@@ -1,6 +1,9 @@
 #include "console_options.hpp"
+#include "live_connection.hpp"
 #include "screenshot.hpp"
 #include "ui/main_window/main_window.hpp"
+#include "ui/main_window/message_strip.hpp"
+#include "ui/panels/connection/connection_panel.hpp"
 
 #include <QApplication>
 #include <QSettings>
@@ -37,7 +40,7 @@ int main(int argc, char** argv) {
     QApplication::setStyle("Fusion");
     QSettings::setDefaultFormat(QSettings::IniFormat);
 
-    MainWindow window({.remember = !picture, .play_on_open = !picture});
+    MainWindow window({.remember = !picture, .play_on_open = !picture, .live = {LiveConnection::make, serialPorts}});
     if (!options.palette.empty()) window.setTheme(themeFromName(QString::fromStdString(options.palette)));
     window.bridge().setSeed(options.seed);
     window.setParams(options.params);
@@ -45,9 +48,17 @@ int main(int argc, char** argv) {
     window.show();
     if (options.demonstration) window.openDemonstration();
     if (!options.recording.empty()) window.openRecording(QString::fromStdString(options.recording));
+    if (!options.sonar.empty()) {
+        window.connection().connectTo(QString::fromStdString(options.sonar), QString::fromStdString(options.navigation),
+                                      !options.no_record);
+        if (picture && !window.bridge().isLive()) {
+            std::cerr << "echotrail-console: " << window.messages().text().toStdString() << "\n";
+            return 1;
+        }
+    }
     if (picture)
         new Screenshot(window, QString::fromStdString(options.screenshot), options.at_s,
-                       options.demonstration || !options.recording.empty());
+                       options.demonstration || !options.recording.empty() || !options.sonar.empty());
     if (options.quit_after_s)
         QTimer::singleShot(static_cast<int>(*options.quit_after_s * 1000.0), &window, &QWidget::close);
     return QApplication::exec();

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QTimer>
 #include <iostream>
+#include <utility>
 
 namespace echotrail {
 
@@ -11,10 +12,22 @@ Screenshot::Screenshot(MainWindow& window, const QString& path, std::optional<do
     connect(&window.bridge(), &PipelineBridge::statusChanged, this, &Screenshot::follow);
     connect(&window.bridge(), &PipelineBridge::openFailed, this,
             [this](const QString& name, const QString& reason) { fail(name + ": " + reason); });
+    if (window.bridge().isLive() && at_s_)
+        QTimer::singleShot(static_cast<int>(*at_s_ * 1000.0), this, &Screenshot::shoot);
+    else if (window.bridge().isLive())
+        waitForSweep();
     if (!has_source) QTimer::singleShot(0, this, &Screenshot::shoot);
 }
 
+void Screenshot::waitForSweep() {
+    connect(&window_.bridge(), &PipelineBridge::liveChanged, this, [this](const LiveState& state) {
+        if (state.run.sweeps == 0 || std::exchange(shot_, true)) return;
+        QTimer::singleShot(0, this, &Screenshot::shoot);
+    });
+}
+
 void Screenshot::follow(const ReplayStatus& status) {
+    if (window_.bridge().isLive()) return;
     if (status.state == ReplayState::Failed) return fail(QString::fromStdString(status.error));
     const bool rests = (status.state == ReplayState::Paused || status.state == ReplayState::Ended) &&
                        !status.analysing && status.goal == status.position;

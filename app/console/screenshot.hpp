@@ -9,7 +9,8 @@
 namespace echotrail {
 
 /// Takes one picture of the window, once the recording is open and replay rests at the moment asked for, and ends the
-/// program: exit code 0, or 1 with a line on standard error.
+/// program: exit code 0, or 1 with a line on standard error. Of a head that is polled: after its first whole sweep, or
+/// so many seconds after the connection was asked for.
 class Screenshot : public QObject {
     Q_OBJECT
 
@@ -18,6 +19,7 @@ public:
 
 private:
     void follow(const ReplayStatus& status);
+    void waitForSweep();
     void shoot();
     void fail(const QString& reason);
 

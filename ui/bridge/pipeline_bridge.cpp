@@ -10,6 +10,7 @@ namespace echotrail {
 namespace {
 
 constexpr int display_interval_ms = 33;
+constexpr int live_state_interval_ms = 250;  // numbers change four times a second at most
 
 }  // namespace
 
@@ -44,35 +45,60 @@ void PipelineBridge::cancelOpening() {
     opening_name_.clear();
 }
 
+void PipelineBridge::openLive(const QString& sonar, const QString& navigation, bool record) {
+    cancelOpening();
+    if (!canGoLive()) return Q_EMIT connectFailed(tr("this program has no live links"));
+    auto made = live_access_.open({sonar, navigation, record, params_, seed_});
+    if (!made) return Q_EMIT connectFailed(QString::fromStdString(made.error()));
+    clear();  // before the start: a serial port has one owner
+    live_ = std::move(*made);
+    live_->start();
+    info_.name = sonar.toStdString();
+    status_.state = ReplayState::Playing;
+    announce();
+    pollLive();
+    timer_.start();
+}
+
 void PipelineBridge::close() {
-    if (!runner_) return;
-    runner_.reset();
-    info_ = {};
-    status_ = {};
-    timeline_ = {};
-    scene_.reset();
+    if (!isOpen()) return;
+    clear();
     Q_EMIT closed();
 }
 
-void PipelineBridge::adopt(std::unique_ptr<PingSource> source) {
-    runner_.reset();  // the old thread ends before the new one starts
-    info_ = source->info();
-    scene_.reset();
-    timeline_ = {};
+void PipelineBridge::clear() {
+    runner_.reset();  // the old thread ends before a new one starts
+    live_.reset();
+    live_state_ = {};
+    live_told_.invalidate();
+    info_ = {};
     status_ = {};
     status_.revision = revision_;
-    runner_ = std::make_unique<ReplayRunner>(std::move(source), params_, seed_);
-    runner_->setSpeed(speed_);
-    runner_->setEnhanced(enhanced_);
+    timeline_ = {};
+    scene_.reset();
+}
+
+void PipelineBridge::announce() {
     Q_EMIT opened();
     Q_EMIT statusChanged(status_);
     Q_EMIT timelineChanged(timeline_);
+}
+
+void PipelineBridge::adopt(std::unique_ptr<PingSource> source) {
+    clear();
+    info_ = source->info();
+    runner_ = std::make_unique<ReplayRunner>(std::move(source), params_, seed_);
+    runner_->setSpeed(speed_);
+    runner_->setEnhanced(enhanced_);
+    announce();
 }
 
 void PipelineBridge::setParams(const Params& params) {
     params_ = params;
     ++revision_;
     if (runner_) runner_->setParams(params_, revision_);
+    if (live_) live_->setParams(params_);
+    Q_EMIT paramsChanged(params_);
 }
 
 void PipelineBridge::pollOpening() {
@@ -87,6 +113,7 @@ void PipelineBridge::pollOpening() {
 
 void PipelineBridge::poll() {
     pollOpening();
+    if (live_) return pollLive();
     if (!runner_) {
         if (!opener_.busy()) timer_.stop();
         return;
@@ -95,14 +122,24 @@ void PipelineBridge::poll() {
         timeline_ = std::move(*timeline);
         Q_EMIT timelineChanged(timeline_);
     }
-    if (auto scene = runner_->scenes().take()) {
-        scene_ = std::make_shared<const Scene>(std::move(*scene));
-        Q_EMIT sceneChanged(scene_);
-    }
+    if (auto scene = runner_->scenes().take()) showScene(std::move(*scene));
     if (auto status = runner_->status(); status != status_) {
         status_ = std::move(status);
         Q_EMIT statusChanged(status_);
     }
+}
+
+void PipelineBridge::pollLive() {
+    if (auto scene = live_->takeScene()) showScene(std::move(*scene));
+    if (live_told_.isValid() && live_told_.elapsed() < live_state_interval_ms) return;
+    live_told_.start();
+    live_state_ = live_->state();
+    Q_EMIT liveChanged(live_state_);
+}
+
+void PipelineBridge::showScene(Scene scene) {
+    scene_ = std::make_shared<const Scene>(std::move(scene));
+    Q_EMIT sceneChanged(scene_);
 }
 
 void PipelineBridge::play() {
@@ -151,7 +188,9 @@ void PipelineBridge::cancelSeek() {
     if (runner_) runner_->cancel();
 }
 void PipelineBridge::designate(double range_m, double bearing_from_bow_rad) {
-    if (runner_) runner_->designate(range_m, Bearing::radians(bearing_from_bow_rad));
+    const Bearing from_bow = Bearing::radians(bearing_from_bow_rad);
+    if (runner_) runner_->designate(range_m, from_bow);
+    if (live_) live_->designate(range_m, from_bow);
 }
 void PipelineBridge::setEnhanced(bool on) {
     enhanced_ = on;
@@ -159,6 +198,7 @@ void PipelineBridge::setEnhanced(bool on) {
 }
 void PipelineBridge::clearDesignation() {
     if (runner_) runner_->clearDesignation();
+    if (live_) live_->clearDesignation();
 }
 
 }  // namespace echotrail

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/runtime/replay_runner.hpp"
+#include "ui/bridge/live_source.hpp"
 #include "ui/bridge/source_opener.hpp"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <memory>
@@ -26,14 +28,21 @@ public:
     void openDemonstration();
     void open(const QString& name, SourceOpener::Opener opener);
     void cancelOpening();
+    void setLiveAccess(LiveAccess access) { live_access_ = std::move(access); }
+    bool canGoLive() const { return live_access_.open != nullptr; }
+    QStringList livePorts() const { return live_access_.ports ? live_access_.ports() : QStringList(); }
+    /// Polls a head instead of what is open: opened(), or connectFailed() and nothing has changed.
+    void openLive(const QString& sonar, const QString& navigation, bool record);
     void close();
 
-    bool isOpen() const { return runner_ != nullptr; }
+    bool isOpen() const { return runner_ || live_; }
+    bool isLive() const { return live_ != nullptr; }
     bool isOpening() const { return opener_.busy(); }
     const QString& openingName() const { return opening_name_; }
     /// Of the source that is open; empty otherwise.
     const SourceInfo& info() const { return info_; }
     const ReplayStatus& status() const { return status_; }
+    const LiveState& liveState() const { return live_state_; }
     const Timeline& timeline() const { return timeline_; }
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     const Params& params() const { return params_; }
@@ -65,14 +74,23 @@ Q_SIGNALS:
     void opening(const QString& name);
     void opened();
     void openFailed(const QString& name, const QString& reason);
+    void connectFailed(const QString& reason);
     void closed();
     void sceneChanged(std::shared_ptr<const echotrail::Scene> scene);
     void statusChanged(const echotrail::ReplayStatus& status);
     void timelineChanged(const echotrail::Timeline& timeline);
+    /// Four times a second while a head is polled.
+    void liveChanged(const echotrail::LiveState& state);
+    void paramsChanged(const echotrail::ScanningSonarPipeline::Params& params);
 
 private:
     void pollOpening();
     void adopt(std::unique_ptr<PingSource> source);
+    /// Ends what is open; says nothing.
+    void clear();
+    void announce();
+    void pollLive();
+    void showScene(Scene scene);
 
     QTimer timer_;
     SourceOpener opener_;
@@ -87,6 +105,10 @@ private:
     Timeline timeline_;
     std::shared_ptr<const Scene> scene_;
     std::unique_ptr<ReplayRunner> runner_;
+    LiveAccess live_access_;
+    LiveState live_state_;
+    QElapsedTimer live_told_;
+    std::unique_ptr<LiveSource> live_;  ///< never beside runner_
 };
 
 }  // namespace echotrail

@@ -41,6 +41,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(pa
     applyTheme(*qApp, theme_);  // first: all lengths come from its font
     setWindowTitle(tr("Echotrail"));
     setAcceptDrops(true);
+    bridge_.setLiveAccess(options_.live);
     setDockNestingEnabled(true);
     makeCentre();
     makeDocks();
@@ -75,6 +76,8 @@ void MainWindow::makeCentre() {
     column->addWidget(centre_, 1);
     setCentralWidget(middle);
     connect(start_, &StartPage::demonstrationChosen, this, &MainWindow::openDemonstration);
+    start_->setCanConnect(bridge_.canGoLive());
+    connect(start_, &StartPage::connectChosen, this, &MainWindow::askForHead);
     connect(start_, &StartPage::openChosen, this, &MainWindow::askForRecording);
     connect(start_, &StartPage::recentChosen, this, &MainWindow::openRecording);
     connect(messages_, &MessageStrip::cancelled, this, [this] {
@@ -105,9 +108,10 @@ void MainWindow::makeDocks() {
     addDockWidget(Qt::RightDockWidgetArea, tracks_dock_);
     addDockWidget(Qt::RightDockWidgetArea, parameters_dock_);
     addDockWidget(Qt::BottomDockWidgetArea, time_line_dock_);
+    makeConnectionDock();
     // Widths in the proportions of the design: 252 and 378 of 1600.
     const int line = fontMetrics().height();
-    resizeDocks({layers_dock_, tracks_dock_}, {14 * line, 22 * line}, Qt::Horizontal);
+    resizeDocks({connection_dock_, tracks_dock_}, {14 * line, 22 * line}, Qt::Horizontal);
     resizeDocks({tracks_dock_, parameters_dock_}, {26 * line, 18 * line}, Qt::Vertical);
     resizeDocks({time_line_dock_}, {8 * line}, Qt::Vertical);
     connect(tracks_, &TracksPanel::trackSelected, fan_, &FanView::setSelectedTrack);
@@ -135,6 +139,10 @@ void MainWindow::makeStatusBars() {
     setContextMenuPolicy(Qt::NoContextMenu);
     connect(status_, &StatusBar::openClicked, this, &MainWindow::askForRecording);
     connect(status_, &StatusBar::timeLineClicked, time_line_dock_, &QWidget::show);
+    connect(status_, &StatusBar::connectionClicked, this, [this] {
+        connection_dock_->show();
+        connection_dock_->raise();
+    });
     connect(status_, &StatusBar::tracksClicked, tracks_dock_, &QWidget::show);
     connect(status_, &StatusBar::themeClicked, this, &MainWindow::nextTheme);
 
@@ -164,8 +172,14 @@ void MainWindow::connectBridge() {
     });
     connect(&bridge_, &PipelineBridge::closed, this, [this] {
         status_->showNothing();
+        foot_->setText(tr("No source open"));
+        foot_->setToolTip({});
+        setWindowTitle(tr("Echotrail"));
+        fan_->setScene(nullptr);
+        onStatus({});
         showStart(true);
     });
+    connect(&bridge_, &PipelineBridge::liveChanged, this, &MainWindow::onLive);
     connect(&bridge_, &PipelineBridge::sceneChanged, this, &MainWindow::onScene);
     connect(&bridge_, &PipelineBridge::statusChanged, this, &MainWindow::onStatus);
     onStatus({});
@@ -190,13 +204,17 @@ void MainWindow::onOpened() {
     }
     opening_path_.clear();
     setWindowTitle(QString::fromStdString(info.name) + tr(" — Echotrail"));
-    status_->showSource(info);
+    fan_->setScene(nullptr);  // what was open before
+    recording_failure_told_ = false;
+    if (!bridge_.isLive()) status_->showSource(info);
+    (bridge_.isLive() ? connection_dock_ : layers_dock_)->raise();
     setSummary(time_line_dock_, QString::fromStdString(info.name));
     showStart(false);
     fan_->setFocus(Qt::OtherFocusReason);
     QStringList notes;
     for (const std::string& note : info.notes) notes << QString::fromStdString(note);
-    foot_->setText(tr("Opened %1").arg(QString::fromStdString(info.name)) + "   " + QString::fromStdString(info.head) +
+    foot_->setText((bridge_.isLive() ? tr("Polling %1") : tr("Opened %1")).arg(QString::fromStdString(info.name)) +
+                   "   " + QString::fromStdString(info.head) +
                    (notes.isEmpty() ? QString() : "   " + tr("notes on it under FILE")));
     foot_->setToolTip(notes.join("\n"));
     if (options_.play_on_open) bridge_.play();
@@ -216,6 +234,8 @@ void MainWindow::onStatus(const ReplayStatus& status) {
     status_->showStatus(status);
     const bool usable = bridge_.isOpen() && status.state != ReplayState::Failed;
     for (QAction* action : need_source_) action->setEnabled(usable);
+    for (QAction* action : need_recording_) action->setEnabled(usable && !bridge_.isLive());
+    disconnect_->setEnabled(bridge_.isLive());
     if (status.state == ReplayState::Failed && !status.error.empty())
         say(tr("%1. Open the recording again with Ctrl+O.").arg(QString::fromStdString(status.error)), false);
     // The last readouts of a play must not lag behind the picture they belong to.

@@ -12,6 +12,7 @@ class QStackedWidget;
 
 namespace echotrail {
 
+class ConnectionPanel;
 class FanView;
 class LayersPanel;
 class MessageStrip;
@@ -30,6 +31,7 @@ public:
     struct Options {
         bool remember = true;  ///< keep layout, palette and recent recordings in the settings
         bool play_on_open = true;
+        LiveAccess live;
     };
 
     explicit MainWindow(const Options& options, QWidget* parent = nullptr);
@@ -39,6 +41,7 @@ public:
     ParameterPanel& parameters() { return *parameters_; }
     TransportPanel& transport() { return *transport_; }
     MessageStrip& messages() { return *messages_; }
+    ConnectionPanel& connection() { return *connection_; }
 
     void openRecording(const QString& path);
     void openDemonstration();
@@ -65,6 +68,7 @@ private:
     void makeLayersMenu(QMenu& menu);
     /// Keeps a check mark in step with the fan, whoever changed it.
     void followFan(QAction& action, std::function<bool(const FanView&)> on);
+    void makeSonarMenu();
     void makeTrackMenu();
     void makeRecordingMenu();
     void makeParametersMenu();
@@ -80,7 +84,10 @@ private:
     void showAbout();
     void resetLayout();
     void showStart(bool on);
+    void makeConnectionDock();
+    void askForHead();
     void onOpened();
+    void onLive(const LiveState& state);
     void onScene(const std::shared_ptr<const Scene>& scene);
     void onStatus(const ReplayStatus& status);
     void say(const QString& text, bool ok);
@@ -91,8 +98,11 @@ private:
     Theme theme_ = Theme::Dusk;
     bool getting_brighter_ = false;
     QElapsedTimer readouts_;
-    std::vector<QAction*> need_source_;  ///< grey without a recording
-    static constexpr int layout_version = 1;  ///< of what is saved: another one is not restored
+    std::vector<QAction*> need_source_;     ///< grey while nothing is open
+    std::vector<QAction*> need_recording_;  ///< grey without a recording
+    QAction* disconnect_ = nullptr;
+    bool recording_failure_told_ = false;
+    static constexpr int layout_version = 2;  ///< of what is saved: another one is not restored
     QByteArray first_layout_;
     QMenu* recent_menu_ = nullptr;
     QStackedWidget* centre_ = nullptr;
@@ -101,10 +111,12 @@ private:
     MessageStrip* messages_ = nullptr;
     StatusBar* status_ = nullptr;
     ShortcutsOverlay* shortcuts_ = nullptr;
+    ConnectionPanel* connection_ = nullptr;
     LayersPanel* layers_ = nullptr;
     TracksPanel* tracks_ = nullptr;
     ParameterPanel* parameters_ = nullptr;
     TransportPanel* transport_ = nullptr;
+    QDockWidget* connection_dock_ = nullptr;
     QDockWidget* layers_dock_ = nullptr;
     QDockWidget* tracks_dock_ = nullptr;
     QDockWidget* parameters_dock_ = nullptr;

@@ -29,6 +29,7 @@ constexpr double arrow_seconds = 5.0;
 void MainWindow::makeMenus() {
     makeFileMenu();
     makeViewMenu();
+    makeSonarMenu();
     makeTrackMenu();
     makeRecordingMenu();
     makeParametersMenu();
@@ -50,7 +51,7 @@ void MainWindow::makeFileMenu() {
     connect(recent_menu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
     addAction(menu, tr("Open the &last one again"), QKeySequence("Ctrl+Shift+O"), [this] { openLast(); });
     addAction(menu, tr("&Demonstration"), QKeySequence("Ctrl+D"), [this] { openDemonstration(); });
-    need_source_.push_back(
+    need_recording_.push_back(
         addAction(menu, tr("&Close recording"), QKeySequence("Ctrl+W"), [this] { bridge_.close(); }));
     menu.addSeparator();
     addAction(menu, tr("Picture of the &window"), QKeySequence("S"), [this] { takeScreenshot(false); });
@@ -133,7 +134,7 @@ void MainWindow::makeTrackMenu() {
 void MainWindow::makeRecordingMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Recording"));
     const auto add = [&](const QString& text, const QKeySequence& key, std::function<void()> act) {
-        need_source_.push_back(addAction(menu, text, key, std::move(act)));
+        need_recording_.push_back(addAction(menu, text, key, std::move(act)));
     };
     add(tr("&Play or pause"), QKeySequence(Qt::Key_Space), [this] { bridge_.togglePlay(); });
     menu.addSeparator();
@@ -176,7 +177,7 @@ void MainWindow::makeParametersMenu() {
 
 void MainWindow::makeWindowMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Window"));
-    for (QDockWidget* dock : {layers_dock_, tracks_dock_, parameters_dock_, time_line_dock_})
+    for (QDockWidget* dock : {connection_dock_, layers_dock_, tracks_dock_, parameters_dock_, time_line_dock_})
         menu.QWidget::addAction(dock->toggleViewAction());
     menu.addSeparator();
     addAction(menu, tr("&Reset layout"), {}, [this] { resetLayout(); });
@@ -190,7 +191,7 @@ void MainWindow::makeHelpMenu() {
 
 void MainWindow::askForRecording() {
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open a recording"), {}, tr("Recordings (*.V4LOG *.v4log *.bin);;All files (*)"), nullptr,
+        this, tr("Open a recording"), {}, tr("Recordings (*.echotrail *.V4LOG *.v4log *.bin);;All files (*)"), nullptr,
         QFileDialog::DontUseNativeDialog);  // the desktop's own would not follow the palette
     if (!path.isEmpty()) openRecording(path);
 }
@@ -234,7 +235,8 @@ void MainWindow::nextTheme() {
 
 void MainWindow::resetLayout() {
     restoreState(first_layout_, layout_version);
-    for (QDockWidget* dock : {layers_dock_, tracks_dock_, parameters_dock_, time_line_dock_}) dock->show();
+    for (QDockWidget* dock : {connection_dock_, layers_dock_, tracks_dock_, parameters_dock_, time_line_dock_})
+        dock->show();
 }
 
 void MainWindow::showAbout() {

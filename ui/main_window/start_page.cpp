@@ -67,6 +67,18 @@ void StartChoice::paintPicture(QPainter& painter, const QRectF& box) const {
             painter.drawEllipse(head + QPointF(1.2 * u, -5.0 * u), 0.9 * u, 0.9 * u);
             break;
         }
+        case Picture::Head: {
+            // A head hanging below the surface, and the sound it sends out.
+            const QPointF head(box.left() + 4.0 * u, c.y() + u);
+            painter.drawLine(QPointF(box.left() + 2 * u, box.top() + 2 * u),
+                             QPointF(box.right() - 2 * u, box.top() + 2 * u));
+            painter.drawLine(QPointF(head.x(), box.top() + 2 * u), head);
+            painter.drawEllipse(head, u, u);
+            for (const double radius : {3.0 * u, 5.0 * u})
+                painter.drawArc(QRectF(head.x() - radius, head.y() - radius, 2 * radius, 2 * radius), -35 * 16,
+                                70 * 16);
+            break;
+        }
         case Picture::TimeLine: {
             const QRectF lane(box.left() + 2 * u, c.y() - 1.5 * u, box.width() - 4 * u, 3 * u);
             painter.drawRect(lane);
@@ -125,14 +137,19 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
                                      tr("A simulated approach at 50 m range, with the tracker running. Nothing is "
                                         "connected or sent."),
                                      tr("works offline"), tr("Enter"), this);
-    open_ =
-        new StartChoice(StartChoice::Picture::TimeLine, tr("Open a recording"),
-                        tr("Seanet Pro .V4LOG or a raw .bin of the Seanet stream. Opened read only; or drop the file "
-                           "on this window."),
-                        tr("UTC as recorded"), "Ctrl+O", this);
+    connect_ = new StartChoice(StartChoice::Picture::Head, tr("Connect to a sonar head"),
+                               tr("A SeaKing on a serial port, or by TCP or UDP. It begins to scan as soon as it has "
+                                  "answered, and everything is recorded."),
+                               tr("serial, TCP, UDP"), "Ctrl+L", this);
+    open_ = new StartChoice(StartChoice::Picture::TimeLine, tr("Open a recording"),
+                            tr("An .echotrail log, a Seanet Pro .V4LOG or a raw .bin of the Seanet stream. Opened read "
+                               "only; or drop the file "
+                               "on this window."),
+                            tr("UTC as recorded"), "Ctrl+O", this);
     recent_ = new StartChoice(StartChoice::Picture::List, tr("Open the last one again"),
                               tr("The recording this console showed most recently."), {}, "Ctrl+Shift+O", this);
     connect(demonstration_, &QAbstractButton::clicked, this, &StartPage::demonstrationChosen);
+    connect(connect_, &QAbstractButton::clicked, this, &StartPage::connectChosen);
     connect(open_, &QAbstractButton::clicked, this, &StartPage::openChosen);
     connect(recent_, &QAbstractButton::clicked, this, [this] {
         if (!paths_.isEmpty()) Q_EMIT recentChosen(paths_.front());
@@ -140,7 +157,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout;
     column->setSpacing(fontMetrics().height() * 2 / 3);
     column->addStretch(2);
-    for (QWidget* part : std::initializer_list<QWidget*>{heading, demonstration_, open_, recent_})
+    for (QWidget* part : std::initializer_list<QWidget*>{heading, demonstration_, connect_, open_, recent_})
         column->addWidget(part);
     column->addStretch(3);
     auto* across = new QHBoxLayout(this);

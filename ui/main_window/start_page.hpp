@@ -12,7 +12,7 @@ class StartChoice : public QAbstractButton {
     Q_OBJECT
 
 public:
-    enum class Picture { Fan, TimeLine, List };
+    enum class Picture { Fan, Head, TimeLine, List };
 
     StartChoice(Picture picture, const QString& title, const QString& text, const QString& fact, const QString& key,
                 QWidget* parent = nullptr);
@@ -33,7 +33,7 @@ private:
     QString key_;
 };
 
-/// What the window shows while no source is open: three choices, the first has the focus.
+/// What the window shows while no source is open: four choices, the first has the focus.
 class StartPage : public QWidget {
     Q_OBJECT
 
@@ -41,10 +41,12 @@ public:
     explicit StartPage(QWidget* parent = nullptr);
     /// Full paths, newest first.
     void setRecent(const QStringList& paths);
+    void setCanConnect(bool can) { connect_->setEnabled(can); }
     void focusFirst();
 
 Q_SIGNALS:
     void demonstrationChosen();
+    void connectChosen();
     void openChosen();
     void recentChosen(const QString& path);
 
@@ -53,6 +55,7 @@ protected:
 
 private:
     StartChoice* demonstration_ = nullptr;
+    StartChoice* connect_ = nullptr;
     StartChoice* open_ = nullptr;
     StartChoice* recent_ = nullptr;
     QStringList paths_;

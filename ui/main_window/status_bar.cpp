@@ -27,6 +27,10 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
     file_ = addChip(*row, tr("FILE"));
     position_ = addChip(*row, tr("POSITION"));
     speed_ = addChip(*row, tr("SPEED"));
+    link_ = addChip(*row, tr("LINK"));
+    sonar_ = addChip(*row, tr("SONAR"));
+    heading_ = addChip(*row, tr("HDG"));
+    recording_ = addChip(*row, tr("REC"));
     pings_ = addChip(*row, tr("PINGS"));
     track_ = addChip(*row, tr("TRACK"));
     row->addStretch(1);
@@ -39,6 +43,8 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
     connect(file_, &QAbstractButton::clicked, this, &StatusBar::openClicked);
     for (StatusChip* chip : {position_, speed_, pings_, utc_})
         connect(chip, &QAbstractButton::clicked, this, &StatusBar::timeLineClicked);
+    for (StatusChip* chip : {link_, sonar_, heading_, recording_})
+        connect(chip, &QAbstractButton::clicked, this, &StatusBar::connectionClicked);
     connect(track_, &QAbstractButton::clicked, this, &StatusBar::tracksClicked);
     connect(theme_, &QToolButton::clicked, this, &StatusBar::themeClicked);
     showNothing();
@@ -51,16 +57,22 @@ StatusChip* StatusBar::addChip(QHBoxLayout& row, const QString& label) {
 }
 
 void StatusBar::showNothing() {
-    replay_ = false;
-    layout()->setContentsMargins({});
+    setMode(Mode::Nothing);
     for (StatusChip* chip : {file_, position_, speed_, pings_, track_}) chip->show(Health::Absent, {});
     utc_->show(Health::Plain, {});
+}
+
+void StatusBar::setMode(Mode mode) {
+    mode_ = mode;
+    layout()->setContentsMargins(mode == Mode::Replay ? word_lines * fontMetrics().height() : 0, 0, 0, 0);
+    for (StatusChip* chip : {file_, position_, speed_}) chip->setVisible(mode != Mode::Live);
+    for (StatusChip* chip : {link_, sonar_, heading_, recording_}) chip->setVisible(mode == Mode::Live);
+    rate_clock_.invalidate();
     update();
 }
 
 void StatusBar::showSource(const SourceInfo& info) {
-    replay_ = true;
-    layout()->setContentsMargins(word_lines * fontMetrics().height(), 0, 0, 0);
+    setMode(Mode::Replay);
     file_->show(Health::Plain, QString::fromStdString(info.name),
                 info.format.empty() ? tr("read only") : tr("%1 · read only").arg(QString::fromStdString(info.format)));
     QStringList notes{QString::fromStdString(info.head)};
@@ -68,11 +80,10 @@ void StatusBar::showSource(const SourceInfo& info) {
     file_->setToolTip(notes.join('\n'));
     track_->show(Health::Absent, {});
     utc_->show(Health::Plain, {});
-    update();
 }
 
 void StatusBar::showStatus(const ReplayStatus& status) {
-    if (!replay_) return;
+    if (mode_ != Mode::Replay) return;
     QString state;
     switch (status.state) {
         case ReplayState::Loading:
@@ -106,7 +117,9 @@ void StatusBar::showCounts(const SourceCounts& counts) {
     if (counts.lost_records > 0) causes << tr("lost records: %1").arg(Formatter::count(counts.lost_records));
     if (counts.skipped_bytes > 0)
         causes << tr("bytes outside any frame: %1").arg(Formatter::count(counts.skipped_bytes));
-    pings_->setToolTip(causes.isEmpty() ? tr("Every record of the file was read") : causes.join('\n'));
+    pings_->setToolTip(causes.isEmpty() ? mode_ == Mode::Live ? tr("Everything that came could be read")
+                                                              : tr("Every record of the file was read")
+                                        : causes.join('\n'));
     const bool clean = rejected == 0 && counts.lost_records == 0;
     pings_->show(clean ? Health::Good : Health::Degraded, tr("%1 rejected").arg(Formatter::count(rejected)),
                  counts.lost_records > 0 ? tr("%1 lost").arg(Formatter::count(counts.lost_records)) : QString());
@@ -149,7 +162,7 @@ void StatusBar::paintEvent(QPaintEvent*) {
     const Palette& colours = currentPalette();
     painter.fillRect(rect(), colours.raised);
     const int edge = std::max(1, fontMetrics().height() / 8);
-    if (!replay_) {
+    if (mode_ != Mode::Replay) {
         painter.fillRect(QRect(0, height() - 1, width(), 1), colours.line);
         return;
     }

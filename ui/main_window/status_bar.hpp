@@ -2,7 +2,9 @@
 
 #include "core/runtime/replay_runner.hpp"
 #include "core/runtime/scene.hpp"
+#include "ui/bridge/live_source.hpp"
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 class QHBoxLayout;
@@ -13,7 +15,8 @@ namespace echotrail {
 class StatusChip;
 
 /// The bar at the top: REPLAY in yellow while a recording is shown, what it is, how fast it goes, what was refused in
-/// it, how the target stands, the time, and the palette. Numbers change four times a second at most.
+/// it; of a head that is polled the link, the head, the heading and the recording, each with its age; then how the
+/// target stands, the time, and the palette. Numbers change four times a second at most.
 class StatusBar : public QWidget {
     Q_OBJECT
 
@@ -23,6 +26,8 @@ public:
     void showNothing();
     void showSource(const SourceInfo& info);
     void showStatus(const ReplayStatus& status);
+    /// `longest_heading_gap_s`: an older heading is no use.
+    void showLive(const LiveState& state, double longest_heading_gap_s);
     void showScene(const Scene& scene);
     void showTheme(const QString& name);
 
@@ -31,6 +36,7 @@ Q_SIGNALS:
     void timeLineClicked();
     void tracksClicked();
     void themeClicked();
+    void connectionClicked();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -39,11 +45,25 @@ private:
     StatusChip* addChip(QHBoxLayout& row, const QString& label);
     void showTrack(const Scene& scene);
     void showCounts(const SourceCounts& counts);
+    enum class Mode { Nothing, Replay, Live };
+    void setMode(Mode mode);
+    void showLink(const LiveState& state);
+    void showSonar(const LiveState& state);
+    void showHeading(const LiveState& state, double longest_gap_s);
+    void showRecording(const RecorderStatus& recorder);
+    double pingRate(std::uint64_t pings);
 
-    bool replay_ = false;
+    Mode mode_ = Mode::Nothing;
     StatusChip* file_ = nullptr;
     StatusChip* speed_ = nullptr;
     StatusChip* position_ = nullptr;
+    StatusChip* link_ = nullptr;
+    StatusChip* sonar_ = nullptr;
+    StatusChip* heading_ = nullptr;
+    StatusChip* recording_ = nullptr;
+    QElapsedTimer rate_clock_;
+    std::uint64_t rate_pings_ = 0;  ///< when it was started
+    double rate_ = 0.0;
     StatusChip* pings_ = nullptr;
     StatusChip* track_ = nullptr;
     StatusChip* utc_ = nullptr;

@@ -50,6 +50,8 @@ QLabel#title { font-weight: 600; }
 QLabel#card_value, QLabel#card_stale { font-size: @15px; font-weight: 600; }
 QLabel#card_detail { color: @dim; font-size: @11px; }
 QLabel#refusal { color: @warning; }
+QLabel#staged { color: @staged; font-weight: 600; }
+QLabel#good { color: @ok; }
 QLabel#lost { color: @alarm; font-weight: 600; }
 QLabel#section { color: @dim; font-weight: 600; border-top: 1px solid @line; padding-top: @4px; }
 QLabel#clock { font-family: "DejaVu Sans Mono"; font-weight: 600; }
@@ -63,7 +65,7 @@ QHash<QString, QColor> rolesOf(const Palette& p) {
             {"field", p.field},   {"line", p.line},         {"strong_line", p.strong_line},
             {"text", p.text},     {"dim", p.dim},           {"off", p.off},
             {"accent", p.accent}, {"selected", p.selected}, {"warning", p.warning},
-            {"alarm", p.alarm}};
+            {"alarm", p.alarm},   {"staged", p.staged},     {"ok", p.ok}};
 }
 
 }  // namespace

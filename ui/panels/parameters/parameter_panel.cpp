@@ -20,6 +20,12 @@ void ParameterPanel::showParams() {
     summarise();
 }
 
+void ParameterPanel::enter(const QString& name, const QString& text) {
+    const auto& infos = model_.infos();
+    for (std::size_t i = 0; i < infos.size(); ++i)
+        if (infos[i].name == name.toStdString()) model_.setData(model_.indexOf(i), text);
+}
+
 void ParameterPanel::apply(const std::vector<ParameterValue>& values) {
     PipelineBridge::Params params = bridge_.params();
     const auto& infos = model_.infos();

@@ -19,6 +19,8 @@ public:
     ParameterModel& model() { return model_; }
     /// Shows what the bridge was given from elsewhere, e.g. the command line.
     void showParams();
+    /// As if `text` had been typed into the field of the parameter called `name`.
+    void enter(const QString& name, const QString& text);
 
 Q_SIGNALS:
     void message(const QString& text, bool ok);

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/io/head_link.hpp"
+#include "ui/bridge/live_source.hpp"
+
+#include <QThread>
+
+namespace echotrail {
+
+/// The console's live source: links and session on a thread of their own, so that painting never delays the next
+/// ping, and the runner behind them.
+class LiveConnection : public LiveSource {
+public:
+    /// With `request.record` the log is made here, in the folder of recordings.
+    static Result<std::unique_ptr<LiveSource>> make(const LiveRequest& request);
+    LiveConnection(const LinkAddress& sonar, const std::optional<LinkAddress>& navigation,
+                   const LiveRunner::Params& params, std::uint64_t seed, std::unique_ptr<LogWriter> log);
+    ~LiveConnection() override;
+
+    void start() override;
+    std::optional<Scene> takeScene() override { return runner_.scenes().take(); }
+    LiveState state() const override;
+    void setParams(const LiveRunner::Params& params) override;
+    void designate(double range_m, Bearing from_bow) override { runner_.designate(range_m, from_bow); }
+    void clearDesignation() override { runner_.clearDesignation(); }
+
+private:
+    LiveRunner runner_;
+    HeadLink link_;
+    QThread thread_;
+};
+
+/// "serial:///dev/ttyUSB0" of every serial port that this computer has now.
+QStringList serialPorts();
+
+}  // namespace echotrail

@@ -1,0 +1,172 @@
+#include "app/console/live_connection.hpp"
+#include "core/recording/log_reader.hpp"
+#include "qt_environment.hpp"
+#include "tests/app/io/simulated_peer.hpp"
+#include "ui/main_window/main_window.hpp"
+#include "ui/main_window/message_strip.hpp"
+#include "ui/main_window/status_chip.hpp"
+#include "ui/panels/connection/connection_panel.hpp"
+#include "ui/panels/connection/head_controls.hpp"
+#include "ui/panels/parameters/parameter_panel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace echotrail {
+namespace {
+
+using seanet::HeadState;
+using test::await;
+
+qsizetype entries(const QString& folder) { return QDir(folder).entryList(QDir::AllEntries | QDir::System).size(); }
+qsizetype threads() { return entries("/proc/self/task"); }
+qsizetype openFiles() { return entries("/proc/self/fd"); }
+
+/// A console with real links, and its recordings in a folder of the test's own.
+class LiveMode : public testing::Test {
+protected:
+    LiveMode() {
+        qputenv("XDG_DATA_HOME", folder_.path().toUtf8());
+        window_.resize(1600, 1000);
+        window_.show();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&window_));
+    }
+    ~LiveMode() override { qunsetenv("XDG_DATA_HOME"); }
+    void connectTo(const std::string& address, bool record = false) {
+        window_.connection().connectTo(QString::fromStdString(address), {}, record);
+    }
+    const LiveState& state() { return window_.bridge().liveState(); }
+    bool pingsCome() {
+        return await([this] { return state().run.pings > 0 && window_.bridge().scene() != nullptr; });
+    }
+    QString chip(const QString& label) {
+        for (const auto* each : window_.findChildren<StatusChip*>())
+            if (each->isVisible() && each->accessibleName().startsWith(label + " ")) return each->accessibleName();
+        return {};
+    }
+
+    QTemporaryDir folder_;
+    MainWindow window_{{.remember = false, .live = {LiveConnection::make, serialPorts}}};
+};
+
+TEST_F(LiveMode, AHeadComesAliveAndTheWindowSaysSo) {
+    SimulatedPeer peer;
+    connectTo(peer.address());
+    EXPECT_TRUE(window_.bridge().isLive());
+    ASSERT_TRUE(pingsCome());
+    ASSERT_TRUE(await([&] { return state().head.confirmed.has_value(); }));
+    EXPECT_TRUE(chip("LINK").contains("up")) << chip("LINK").toStdString();
+    EXPECT_TRUE(chip("SONAR").contains("scanning")) << chip("SONAR").toStdString();
+    EXPECT_TRUE(chip("HDG").contains("no navigation")) << chip("HDG").toStdString();
+    EXPECT_TRUE(chip("REC").contains("off")) << chip("REC").toStdString();
+    EXPECT_TRUE(chip("FILE").isEmpty()) << "that is of recordings";
+    QStringList said;
+    for (const auto* label : window_.connection().findChildren<QLabel*>()) said << label->text();
+    EXPECT_TRUE(said.contains("scanning"));
+    EXPECT_TRUE(said.contains(QString::fromStdString(state().head.head)));
+    EXPECT_TRUE(said.contains("50 m")) << "the range, as the head says it";
+}
+
+TEST_F(LiveMode, ARangeTypedInThePanelReachesTheHeadAndIsConfirmed) {
+    SimulatedPeer peer;
+    connectTo(peer.address());
+    ASSERT_TRUE(pingsCome());
+    Q_EMIT window_.connection().controls().edited("range_m", "20");
+    EXPECT_EQ(window_.bridge().params().head.range_m, 20.0);
+    ASSERT_TRUE(await([&] { return state().head.confirmed && state().head.confirmed->range_m == 20.0; }));
+    window_.parameters().model().undoStack().undo();
+    EXPECT_TRUE(await([&] { return state().head.confirmed->range_m == 50.0; })) << "it can be undone like any other";
+}
+
+TEST_F(LiveMode, AValueOutsideTheLimitsIsRefusedWithTheReason) {
+    auto* range = window_.connection().controls().findChild<QLineEdit*>();
+    ASSERT_NE(range, nullptr);
+    ASSERT_EQ(range->text(), "50");
+    window_.findChild<QDockWidget*>("connection")->raise();
+    range->setFocus();
+    range->setText("9000");
+    QTest::keyClick(range, Qt::Key_Return);
+    EXPECT_EQ(window_.bridge().params().head.range_m, 50.0);
+    EXPECT_EQ(range->text(), "50") << "what is in force";
+    EXPECT_TRUE(window_.messages().text().contains("450")) << window_.messages().text().toStdString();
+}
+
+TEST_F(LiveMode, NothingThereIsSaidWhereTheOperatorLooksAndTriedAgain) {
+    std::string nowhere;
+    {
+        SimulatedPeer gone;
+        nowhere = gone.address();
+    }
+    connectTo(nowhere);
+    ASSERT_TRUE(await([&] { return !state().sonar.reason.isEmpty(); }));
+    EXPECT_TRUE(chip("LINK").contains("down"));
+    EXPECT_TRUE(window_.bridge().isLive());
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+    bool said = false;
+    for (const auto* label : window_.connection().findChildren<QLabel*>())
+        said |= label->text().contains("trying again");
+    EXPECT_TRUE(said);
+}
+
+TEST_F(LiveMode, AnAddressThatIsNoneLeavesWhatWasOpen) {
+    window_.bridge().open("scan", test::scanOpener(60));
+    ASSERT_TRUE(await([&] { return window_.bridge().isOpen(); }));
+    for (const char* address : {"", "tcp://", "tcp://host:99999", "harbour.V4LOG", "serial://"}) {
+        connectTo(address);
+        EXPECT_FALSE(window_.bridge().isLive()) << address;
+        EXPECT_TRUE(window_.bridge().isOpen());
+        EXPECT_TRUE(window_.messages().text().startsWith("Not connected")) << address;
+    }
+}
+
+TEST_F(LiveMode, EverythingIsRecordedAndTheLogIsWholeAfterDisconnecting) {
+    SimulatedPeer peer;
+    connectTo(peer.address(), true);
+    ASSERT_TRUE(pingsCome());
+    ASSERT_TRUE(await([&] { return state().run.recorder.recording; }));
+    const std::string path = state().run.recorder.path;
+    EXPECT_TRUE(QString::fromStdString(path).startsWith(folder_.path()));
+    EXPECT_TRUE(chip("REC").contains("free")) << chip("REC").toStdString();
+    window_.bridge().close();
+    EXPECT_FALSE(window_.bridge().isOpen());
+    const auto log = LogReader::open(path);
+    ASSERT_TRUE(log) << log.error();
+    EXPECT_GT((*log)->events(), 5U);
+    window_.openRecording(QString::fromStdString(path));
+    ASSERT_TRUE(await([&] { return window_.bridge().isOpen() && window_.bridge().scene(); }));
+    EXPECT_TRUE(chip("FILE").contains(QString::fromStdString(window_.bridge().info().name)));
+    EXPECT_TRUE(chip("REC").isEmpty()) << "that is of a live head";
+}
+
+TEST_F(LiveMode, TenSwitchesBetweenLiveAndDemonstrationLeaveNoThreadAndNoFileBehind) {
+    SimulatedPeer peer;
+    const auto turn = [&](bool record) {
+        connectTo(peer.address(), record);
+        ASSERT_TRUE(await([&] { return state().sonar.up; }));
+        window_.openDemonstration();
+        ASSERT_TRUE(await([&] { return window_.bridge().isOpen() && !window_.bridge().isLive(); }));
+        ASSERT_TRUE(await([&] { return window_.bridge().scene() != nullptr; }));
+    };
+    const auto rest = [&] {
+        window_.bridge().close();
+        QTest::qWait(200);  // for the other end to notice
+    };
+    turn(true);  // what is made once and kept
+    rest();
+    const qsizetype threads_before = threads();
+    const qsizetype files_before = openFiles();
+    for (int i = 0; i < 10; ++i) ASSERT_NO_FATAL_FAILURE(turn(i % 2 == 0));
+    rest();
+    EXPECT_TRUE(await([&] { return threads() <= threads_before; })) << threads() << " for " << threads_before;
+    EXPECT_TRUE(await([&] { return openFiles() <= files_before; })) << openFiles() << " for " << files_before;
+}
+
+}  // namespace
+}  // namespace echotrail

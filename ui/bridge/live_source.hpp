@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/data/head_settings.hpp"
+#include "core/runtime/live_runner.hpp"
+#include "core/seanet/head_session.hpp"
+
+#include <QString>
+#include <QStringList>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace echotrail {
+
+/// What the operator asks for when connecting.
+struct LiveRequest {
+    QString sonar;       ///< address, e.g. "serial:///dev/ttyUSB0?baud=115200"
+    QString navigation;  ///< address of NMEA 0183; empty: none
+    bool record = true;
+    LiveRunner::Params params;
+    std::uint64_t seed = 0;
+};
+
+/// One link of a live source, for a person to read.
+struct LiveLink {
+    bool up = false;
+    QString reason;               ///< why it is down, one line; empty while it is up or was never tried
+    std::optional<double> age_s;  ///< since the last bytes; none before the first
+};
+
+/// A live source at a glance.
+struct LiveState {
+    LiveLink sonar;
+    std::optional<LiveLink> navigation;  ///< none where none was asked for
+    seanet::HeadStatus head;
+    LiveStatus run;
+    std::optional<double> ping_age_s;     ///< none before the first ping
+    std::optional<double> heading_age_s;  ///< none before the first heading
+};
+
+/// A head that is polled, seen from the window: whoever makes it moves the bytes. Calls return at once; scenes and
+/// states are fetched at the display's pace. Destruction ends the links and closes the log.
+class LiveSource {
+public:
+    virtual ~LiveSource() = default;
+
+    /// Once, first: opens the links, which no one else may hold then.
+    virtual void start() = 0;
+    virtual std::optional<Scene> takeScene() = 0;
+    virtual LiveState state() const = 0;
+    /// The head's settings among them are told to the head.
+    virtual void setParams(const LiveRunner::Params& params) = 0;
+    virtual void designate(double range_m, Bearing from_bow) = 0;
+    virtual void clearDesignation() = 0;
+};
+
+/// Makes a live run, not started; the error, one line, says what is wrong with the request. A head that is not there is
+/// no error: the links keep trying, and the state says so.
+using LiveOpener = std::function<Result<std::unique_ptr<LiveSource>>(const LiveRequest&)>;
+
+/// How a window reaches live sources; a program without links leaves it empty.
+struct LiveAccess {
+    LiveOpener open;
+    std::function<QStringList()> ports;  ///< addresses of this computer's serial ports, now
+};
+
+}  // namespace echotrail
