@@ -40,7 +40,7 @@ void StartChoice::setFact(const QString& fact) {
     update();
 }
 
-QSize StartChoice::sizeHint() const { return {fontMetrics().averageCharWidth() * 78, fontMetrics().height() * 7}; }
+QSize StartChoice::sizeHint() const { return {fontMetrics().averageCharWidth() * 78, fontMetrics().height() * 25 / 4}; }
 
 void StartChoice::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
@@ -138,14 +138,14 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
                                         "connected or sent."),
                                      tr("works offline"), tr("Enter"), this);
     connect_ = new StartChoice(StartChoice::Picture::Head, tr("Connect to a sonar head"),
-                               tr("A SeaKing on a serial port, or by TCP or UDP. It begins to scan as soon as it has "
-                                  "answered, and everything is recorded."),
+                               tr("A SeaKing on a serial port, or by TCP or UDP. It scans as soon as it answers; all "
+                                  "of it is recorded."),
                                tr("serial, TCP, UDP"), "Ctrl+L", this);
-    open_ = new StartChoice(StartChoice::Picture::TimeLine, tr("Open a recording"),
-                            tr("An .echotrail log, a Seanet Pro .V4LOG or a raw .bin of the Seanet stream. Opened read "
-                               "only; or drop the file "
-                               "on this window."),
-                            tr("UTC as recorded"), "Ctrl+O", this);
+    open_ =
+        new StartChoice(StartChoice::Picture::TimeLine, tr("Open a recording"),
+                        tr("An .echotrail log, a Seanet Pro .V4LOG or a raw .bin. Read only; or drop the file on this "
+                           "window."),
+                        tr("UTC as recorded"), "Ctrl+O", this);
     recent_ = new StartChoice(StartChoice::Picture::List, tr("Open the last one again"),
                               tr("The recording this console showed most recently."), {}, "Ctrl+Shift+O", this);
     connect(demonstration_, &QAbstractButton::clicked, this, &StartPage::demonstrationChosen);

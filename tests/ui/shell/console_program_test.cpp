@@ -55,6 +55,13 @@ TEST_F(ConsoleProgram, ShowsTheStartWithoutASource) {
     EXPECT_FALSE(QImage(folder_.filePath("start.png")).isNull());
 }
 
+TEST_F(ConsoleProgram, TakesAPictureOfAHeadThatIsNotThereWithoutKeepingAnything) {
+    const auto outcome = run(
+        {"--sonar", "tcp://127.0.0.1:1", "--no-record", "--screenshot", folder_.filePath("silent.png"), "--at", "0.5"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors.toStdString();
+    EXPECT_EQ(QImage(folder_.filePath("silent.png")).size(), QSize(1600, 1000));
+}
+
 TEST_F(ConsoleProgram, ClosesWhenToldTo) { EXPECT_EQ(run({"--demonstration", "--quit-after", "0.3"}).exit_code, 0); }
 
 TEST_F(ConsoleProgram, WrongUsageIsExitCodeTwoWithOneLine) {
@@ -62,6 +69,8 @@ TEST_F(ConsoleProgram, WrongUsageIsExitCodeTwoWithOneLine) {
                                    {"--set", "sound_speed=9"},
                                    {"--palette", "pink"},
                                    {"--at", "3"},
+                                   {"--navigation", "tcp://127.0.0.1:1"},
+                                   {"--sonar", "tcp://127.0.0.1:1", "--demonstration"},
                                    {"--parameters", "/no/such.toml"}};
     for (const QStringList& arguments : wrong) {
         const auto outcome = run(arguments);
@@ -76,6 +85,9 @@ TEST_F(ConsoleProgram, WhatCannotBeReadOrWrittenIsExitCodeOne) {
     EXPECT_EQ(unread.exit_code, 1);
     EXPECT_TRUE(unread.errors.contains("file.V4LOG")) << unread.errors.toStdString();
     EXPECT_EQ(run({"--screenshot", "/no/such/folder/x.png"}).exit_code, 1);
+    const auto unknown = run({"--sonar", "radio://x", "--screenshot", folder_.filePath("x.png")});
+    EXPECT_EQ(unknown.exit_code, 1);
+    EXPECT_TRUE(unknown.errors.contains("tcp://HOST:PORT")) << unknown.errors.toStdString();
     const auto dark = run({"--demonstration"}, false);
     EXPECT_EQ(dark.exit_code, 1);
     EXPECT_TRUE(dark.errors.contains("no display")) << dark.errors.toStdString();
