@@ -7,38 +7,7 @@ namespace echotrail {
 
 namespace {
 
-using seanet::HeadState;
-
-const char* nameOf(HeadState state) {
-    switch (state) {
-        case HeadState::NoLink:
-            return "no link";
-        case HeadState::Waiting:
-            return "waiting for the head";
-        case HeadState::Identifying:
-            return "asking what it is";
-        case HeadState::Centring:
-            return "centring";
-        case HeadState::Configuring:
-            return "sending parameters";
-        case HeadState::Polling:
-            return "scanning";
-        case HeadState::Silent:
-            return "head silent";
-        case HeadState::WrongDevice:
-            return "wrong device";
-    }
-    return "";
-}
-
-std::vector<std::uint8_t> bytesOf(const QByteArray& bytes) { return {bytes.begin(), bytes.end()}; }
-std::vector<std::uint8_t> textBytes(std::string_view text) { return {text.begin(), text.end()}; }
-
-std::uint32_t timeOfDayMs() {
-    using namespace std::chrono;
-    const auto now = system_clock::now();
-    return static_cast<std::uint32_t>(duration_cast<milliseconds>(now - floor<days>(now)).count());
-}
+void note(const std::string& text) { std::fprintf(stderr, "echotrail: %s\n", text.c_str()); }
 
 }  // namespace
 
@@ -46,27 +15,18 @@ TrackRun::TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, 
     : options_(options),
       tracks_(std::move(tracks)),
       feed_(options.report ? std::make_unique<TargetFeed>(*options.report) : nullptr),
-      sonar_(makeChannel(options.sonar)),
-      navigation_(options.navigation ? makeChannel(*options.navigation) : nullptr),
-      session_(options.settings.params.head),
       runner_(options.settings.params, options.seed, std::move(log),
               [this](const Update& update, Timestamp settled, const ScanningSonarPipeline& pipeline) {
                   hear(update, settled, pipeline);
-              }) {
+              }),
+      link_(std::make_unique<HeadLink>(options.sonar, options.navigation, options.settings.params.head, runner_)) {
     runner_.setFanPainting(options.paint_fan);
     failed_.setSingleShot(true);
 }
 
 void TrackRun::start() {
-    connectSonar();
-    if (navigation_) connectNavigation();
     if (options_.target) runner_.designate(options_.target->range_m, options_.target->from_bow);
-    deadline_.setSingleShot(true);
-    deadline_.setTimerType(Qt::PreciseTimer);
-    connect(&deadline_, &QTimer::timeout, this, [this] {
-        session_.tick(now());
-        converse();
-    });
+    connect(link_.get(), &HeadLink::noted, this, [](const QString& text) { note(text.toStdString()); });
     connect(&health_, &QTimer::timeout, this, [this] { tellHealth(); });
     health_.start(1000);
     if (feed_) {
@@ -80,65 +40,7 @@ void TrackRun::start() {
         });
         reports_.start(100);
     }
-    sonar_->open();
-    if (navigation_) navigation_->open();
-}
-
-void TrackRun::connectSonar() {
-    connect(sonar_.get(), &ByteChannel::wentUp, this, [this] {
-        note("sonar " + toText(options_.sonar) + ": connected");
-        runner_.post(EventKind::SonarLink, textBytes("up"));
-        session_.linkUp(now(), timeOfDayMs());
-        converse();
-    });
-    connect(sonar_.get(), &ByteChannel::wentDown, this, [this](const QString& reason) {
-        note("sonar: " + reason.toStdString());
-        runner_.post(EventKind::SonarLink, textBytes("down"));
-        session_.linkDown(now());
-        converse();
-    });
-    connect(sonar_.get(), &ByteChannel::received, this, [this](const QByteArray& bytes) {
-        auto payload = bytesOf(bytes);
-        runner_.post(EventKind::SonarBytes, payload);
-        session_.received(now(), payload);
-        converse();
-    });
-}
-
-void TrackRun::connectNavigation() {
-    // Said first of all, so that pings wait for poses from the first one on.
-    runner_.post(EventKind::NavigationLink, textBytes("down"));
-    connect(navigation_.get(), &ByteChannel::wentUp, this, [this] {
-        note("navigation " + toText(*options_.navigation) + ": connected");
-        runner_.post(EventKind::NavigationLink, textBytes("up"));
-    });
-    connect(navigation_.get(), &ByteChannel::wentDown, this, [this](const QString& reason) {
-        note("navigation: " + reason.toStdString());
-        runner_.post(EventKind::NavigationLink, textBytes("down"));
-    });
-    connect(navigation_.get(), &ByteChannel::received, this,
-            [this](const QByteArray& bytes) { runner_.post(EventKind::NavigationBytes, bytesOf(bytes)); });
-}
-
-/// Sends what the session wants to say, and comes back when it wants to be called.
-void TrackRun::converse() {
-    while (const auto frame = session_.takeOutput()) {
-        runner_.post(EventKind::SentBytes, *frame);
-        sonar_->send(QByteArray(reinterpret_cast<const char*>(frame->data()), static_cast<int>(frame->size())));
-    }
-    if (const auto at = session_.deadline())
-        deadline_.start(
-            std::max(std::chrono::ceil<std::chrono::milliseconds>(*at - now()), std::chrono::milliseconds(0)));
-    else
-        deadline_.stop();
-    const seanet::HeadStatus& status = session_.status();
-    if (std::exchange(last_state_, status.state) != status.state)
-        note(std::string("head: ") + nameOf(status.state) + (status.head.empty() ? "" : " (" + status.head + ")"));
-    if (last_difference_ != status.difference && !status.difference.empty())
-        note("head: not as commanded: " + status.difference);
-    last_difference_ = status.difference;
-    if (last_advice_ != status.advice && !status.advice.empty()) note("head: " + status.advice);
-    last_advice_ = status.advice;
+    link_->open();
 }
 
 /// On the pipeline's thread.
@@ -172,30 +74,22 @@ void TrackRun::tellHealth() {
     std::fprintf(stderr,
                  "echotrail: %.0f s  %s  %llu pings/s  %llu rejected  queue %zu  lag %.0f ms  log %.1f MB, %.1f GB free"
                  "  tracks %llu\n",
-                 std::chrono::duration<double>(now()).count(), nameOf(session_.status().state),
+                 std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(),
+                 headStateText(link_->state().head.state).c_str(),
                  static_cast<unsigned long long>(live.pings - pings_told_), static_cast<unsigned long long>(rejected),
                  live.queued + live.recorder.queued, 1e3 * live.lag_s, static_cast<double>(live.recorder.bytes) / 1e6,
                  static_cast<double>(live.recorder.free_bytes) / 1e9, static_cast<unsigned long long>(live.confirmed));
     pings_told_ = live.pings;
 }
 
-void TrackRun::note(const std::string& text) const { std::fprintf(stderr, "echotrail: %s\n", text.c_str()); }
-
-Microseconds TrackRun::now() const {
-    return std::chrono::duration_cast<Microseconds>(std::chrono::steady_clock::now() - started_);
-}
-
 nlohmann::ordered_json TrackRun::finish(const std::string& reason) {
-    for (QTimer* timer : {&deadline_, &health_, &reports_}) timer->stop();
-    sonar_->disconnect(this);
-    sonar_->close();
-    if (navigation_) {
-        navigation_->disconnect(this);
-        navigation_->close();
-    }
+    health_.stop();
+    reports_.stop();
+    const HeadLinkState link = link_->state();
+    link_.reset();
     runner_.finish();
     const LiveStatus live = runner_.status();
-    const seanet::HeadStatus& head = session_.status();
+    const seanet::HeadStatus& head = link.head;
     const NavigationStatus& navigation = live.navigation;
     const double data_s = live.first_ping && live.last_ping ? secondsBetween(*live.first_ping, *live.last_ping) : 0.0;
     nlohmann::ordered_json summary{{"source", toText(options_.sonar)},
@@ -209,7 +103,7 @@ nlohmann::ordered_json TrackRun::finish(const std::string& reason) {
                                    {"skipped_pings", live.skipped},
                                    {"unsynchronised_pings", live.unsynchronised},
                                    {"late_looks", tracks_ ? tracks_->lateLooks() : 0},
-                                   {"connections", sonar_->counts().times_up},
+                                   {"connections", link.sonar.counts.times_up},
                                    {"timeouts", head.timeouts},
                                    {"retries", head.retries},
                                    {"head_resets", head.head_resets},

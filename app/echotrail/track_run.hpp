@@ -1,8 +1,7 @@
 #pragma once
 
-#include "app/io/byte_channel.hpp"
+#include "app/io/head_link.hpp"
 #include "core/runtime/live_runner.hpp"
-#include "core/seanet/head_session.hpp"
 #include "target_feed.hpp"
 #include "track_options.hpp"
 #include "tracks_writer.hpp"
@@ -19,8 +18,7 @@
 
 namespace echotrail {
 
-/// `echotrail track`: a head's channel, the session with it, and the runner behind them. This thread only moves bytes:
-/// it hands them to the runner (and so to the log) first, then to the session, and sends what that answers.
+/// `echotrail track`: a live run, its links, what it writes, and what it says of itself.
 class TrackRun : public QObject {
 public:
     TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, std::unique_ptr<TracksWriter> tracks);
@@ -38,21 +36,12 @@ public:
 
 private:
     void hear(const Update& update, Timestamp settled, const ScanningSonarPipeline& pipeline);
-    void connectSonar();
-    void connectNavigation();
-    void converse();
     void tellHealth();
-    void note(const std::string& text) const;
-    Microseconds now() const;
 
     TrackOptions options_;
     std::unique_ptr<TracksWriter> tracks_;
     std::unique_ptr<TargetFeed> feed_;
-    std::unique_ptr<ByteChannel> sonar_, navigation_;
-    seanet::HeadSession session_;
-    seanet::HeadState last_state_ = seanet::HeadState::NoLink;
-    std::string last_difference_, last_advice_;
-    QTimer deadline_, health_, reports_, failed_;
+    QTimer health_, reports_, failed_;
     std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
     std::uint64_t pings_told_ = 0;
     bool disk_told_ = false, log_told_ = false;
@@ -61,7 +50,8 @@ private:
     std::string failure_;
     std::optional<Timestamp> first_ping_;
 
-    LiveRunner runner_;  // last: its threads end before what they use
+    LiveRunner runner_;  // its threads end before what they use
+    std::unique_ptr<HeadLink> link_;
 };
 
 }  // namespace echotrail

@@ -89,8 +89,7 @@ void HeadLink::close() {
         (*channel)->close();
         channel->reset();
     }
-    if (current_.sonar.up) runner_.post(EventKind::SonarLink, textBytes("down"));
-    if (current_.navigation && current_.navigation->up) runner_.post(EventKind::NavigationLink, textBytes("down"));
+    // Not posted as a broken link: a frame that our own end cuts is no loss, and a new beginning posts that it is up.
     session_.linkDown(now());
     while (session_.takeOutput()) {
     }  // there is no one left to say it to
