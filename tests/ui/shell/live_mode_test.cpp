@@ -115,6 +115,33 @@ TEST_F(LiveMode, NothingThereIsSaidWhereTheOperatorLooksAndTriedAgain) {
     EXPECT_TRUE(said);
 }
 
+TEST_F(LiveMode, TheHeadingShowsWithItsAgeAndGrowsStale) {
+    SimulatedPeer peer;
+    const auto compass = ByteServer::listen(parseLinkAddress("tcp://127.0.0.1:0").value()).value();
+    bool heard = false;
+    QObject::connect(compass.get(), &ByteServer::peerUp, [&heard] { heard = true; });
+    PipelineBridge::Params params;
+    params.navigation.longest_navigation_gap_s = 0.2;
+    window_.setParams(params);
+    window_.connection().connectTo(QString::fromStdString(peer.address()), QString::fromStdString(compass->address()),
+                                   false);
+    EXPECT_TRUE(chip("HDG").contains("waiting")) << chip("HDG").toStdString();
+    ASSERT_TRUE(await([&] { return heard; }));
+    compass->send("$HEHDT,123.4,T*2B\r\n");
+    ASSERT_TRUE(await([&] { return chip("HDG").contains("123.4°T"); }));
+    EXPECT_TRUE(await([&] { return chip("HDG").contains("stale"); }));
+}
+
+TEST_F(LiveMode, ABrokenLinkIsShownAndHealsByItself) {
+    SimulatedPeer peer;
+    connectTo(peer.address());
+    ASSERT_TRUE(pingsCome());
+    peer.server().drop();
+    ASSERT_TRUE(await([&] { return chip("LINK").contains("down"); }));
+    ASSERT_TRUE(await([&] { return chip("LINK").contains("up") && chip("SONAR").contains("scanning"); }));
+    EXPECT_TRUE(window_.bridge().isLive());
+}
+
 TEST_F(LiveMode, AnAddressThatIsNoneLeavesWhatWasOpen) {
     window_.bridge().open("scan", test::scanOpener(60));
     ASSERT_TRUE(await([&] { return window_.bridge().isOpen(); }));
