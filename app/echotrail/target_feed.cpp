@@ -5,8 +5,10 @@
 
 namespace echotrail {
 
-TargetFeed::TargetFeed(const LinkAddress& address) : nmea_(address.format == "nmea"), channel_(makeChannel(address)) {
-    channel_->open();
+Result<std::unique_ptr<TargetFeed>> TargetFeed::open(const LinkAddress& address) {
+    auto sender = ReportSender::open(address);
+    if (!sender) return Error{sender.error()};
+    return std::unique_ptr<TargetFeed>(new TargetFeed(*std::move(sender), address.format == "nmea"));
 }
 
 void TargetFeed::take(const Update& update, const ScanningSonarPipeline& pipeline) {
@@ -38,30 +40,30 @@ void TargetFeed::send(Timestamp now, Timestamp first_ping) {
         fresh_.clear();
         return;
     }
-    if (fresh_.empty()) {
-        channel_->send(text(reportOn(*target_, own_, now), first_ping));
-        ++sent_;
-    }
+    if (fresh_.empty()) sender_->send(text(reportOn(*target_, own_, now), first_ping));
     for (const TrackLook& look : fresh_) {
         TargetReport report = reportOn(*target_, own_, look.time);
         report.look = look;
         report.age_s = std::max(report.age_s, 0.0);
-        channel_->send(text(report, first_ping));
-        ++sent_;
+        sender_->send(text(report, first_ping));
     }
     fresh_.clear();
 }
 
-QByteArray TargetFeed::text(const TargetReport& report, Timestamp first_ping) const {
-    if (nmea_)
-        return QByteArray::fromStdString(ttmSentence(report.look, report.closest_approach_m, report.time_to_closest_s));
+/// Without the line feed, which the sender adds.
+std::string TargetFeed::text(const TargetReport& report, Timestamp first_ping) const {
+    if (nmea_) {
+        std::string sentence = ttmSentence(report.look, report.closest_approach_m, report.time_to_closest_s);
+        sentence.pop_back();
+        return sentence;
+    }
     auto object = trackLine(report.look, first_ping);
     object["age_s"] = report.age_s;
     object["valid"] = report.valid;
     object["closest_approach_m"] = report.closest_approach_m;
     object["time_to_closest_s"] = report.time_to_closest_s;
     object["risk"] = report.risk;
-    return QByteArray::fromStdString(object.dump() + "\n");
+    return object.dump();
 }
 
 }  // namespace echotrail

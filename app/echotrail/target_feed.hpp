@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/io/byte_channel.hpp"
+#include "app/io/report_sender.hpp"
 #include "core/data/track.hpp"
 #include "core/pipelines/scanning_sonar_pipeline.hpp"
 #include "core/tracking/target_report.hpp"
@@ -8,33 +8,34 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace echotrail {
 
 /// What the motion controller is told of the designated target: at every update, and by prediction in between.
-/// Threads: take() on the pipeline's, the rest on the one of its channel.
+/// Threads: take() on the pipeline's, the rest on the one it was made in.
 class TargetFeed {
 public:
-    /// The address's format says JSON lines or NMEA 0183.
-    explicit TargetFeed(const LinkAddress& address);
+    /// The address's format says JSON lines or NMEA 0183. The error is a matter of usage.
+    static Result<std::unique_ptr<TargetFeed>> open(const LinkAddress& address);
 
     void take(const Update& update, const ScanningSonarPipeline& pipeline);
     /// Sends what take() brought since the last call, or else the prediction for `now`.
     void send(Timestamp now, Timestamp first_ping);
-    const ChannelCounts& counts() const { return channel_->counts(); }
-    std::uint64_t sent() const { return sent_; }
+    const ReportSender::Counts& counts() const { return sender_->counts(); }
 
 private:
-    QByteArray text(const TargetReport& report, Timestamp first_ping) const;
+    TargetFeed(std::unique_ptr<ReportSender> sender, bool nmea) : nmea_(nmea), sender_(std::move(sender)) {}
+    std::string text(const TargetReport& report, Timestamp first_ping) const;
 
     bool nmea_;
-    std::unique_ptr<ByteChannel> channel_;
+    std::unique_ptr<ReportSender> sender_;
     std::mutex mutex_;
     std::optional<Track> target_;
     OwnMotion own_;
     std::optional<Timestamp> own_time_;
     std::vector<TrackLook> fresh_;
-    std::uint64_t sent_ = 0;
 };
 
 }  // namespace echotrail

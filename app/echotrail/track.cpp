@@ -30,6 +30,12 @@ ExitCode track(const TrackArguments& arguments) {
         if (!opened) return fail(ExitCode::Failed, opened.error());
         tracks = *std::move(opened);
     }
+    std::unique_ptr<TargetFeed> feed;
+    if (options->report) {
+        auto opened = TargetFeed::open(*options->report);
+        if (!opened) return fail(ExitCode::Usage, "--report: " + opened.error());
+        feed = *std::move(opened);
+    }
     std::unique_ptr<LogWriter> log;
     if (!options->record.empty()) {
         const LogHeader header{ECHOTRAIL_VERSION, toText(options->sonar), parameterText(options->settings.params),
@@ -41,7 +47,7 @@ ExitCode track(const TrackArguments& arguments) {
         std::cerr << "echotrail: recording to " << options->record << std::endl;
     }
 
-    TrackRun run(*options, std::move(log), std::move(tracks));
+    TrackRun run(*options, std::move(log), std::move(tracks), std::move(feed));
     std::string reason = "interrupted";
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });

@@ -82,8 +82,6 @@ Result<TrackOptions> checkTrackOptions(const TrackArguments& a) {
     auto report = optionalLink("--report", a.report);
     if (!report) return Error{report.error()};
     options.report = *std::move(report);
-    if (options.report && options.report->kind == LinkAddress::Kind::Serial)
-        return Error{"--report: say udp://HOST:PORT or tcp://HOST:PORT"};
     auto settings = readSettings(a.parameter_files, a.assignments);
     if (!settings) return Error{settings.error()};
     options.settings = *std::move(settings);

@@ -11,10 +11,11 @@ void note(const std::string& text) { std::fprintf(stderr, "echotrail: %s\n", tex
 
 }  // namespace
 
-TrackRun::TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, std::unique_ptr<TracksWriter> tracks)
+TrackRun::TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, std::unique_ptr<TracksWriter> tracks,
+                   std::unique_ptr<TargetFeed> feed)
     : options_(options),
       tracks_(std::move(tracks)),
-      feed_(options.report ? std::make_unique<TargetFeed>(*options.report) : nullptr),
+      feed_(std::move(feed)),
       runner_(options.settings.params, options.seed, std::move(log),
               [this](const Update& update, Timestamp settled, const ScanningSonarPipeline& pipeline) {
                   hear(update, settled, pipeline);
@@ -120,7 +121,7 @@ nlohmann::ordered_json TrackRun::finish(const std::string& reason) {
                                    {"processing_seconds", live.processing_s},
                                    {"log", live.recorder.path},
                                    {"exit_reason", reason}};
-    if (feed_) summary["reports"] = {{"sent", feed_->sent()}, {"dropped_bytes", feed_->counts().dropped_bytes}};
+    if (feed_) summary["reports"] = {{"sent", feed_->counts().sent}, {"dropped", feed_->counts().dropped}};
     runner_.record({UpdateKind::Summary, runner_.now(), summary.dump()});
     runner_.closeLog();
     return summary;

@@ -21,7 +21,8 @@ namespace echotrail {
 /// `echotrail track`: a live run, its links, what it writes, and what it says of itself.
 class TrackRun : public QObject {
 public:
-    TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, std::unique_ptr<TracksWriter> tracks);
+    TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, std::unique_ptr<TracksWriter> tracks,
+             std::unique_ptr<TargetFeed> feed);
 
     void start();
     /// Ends the run and says how it went.
