@@ -1,32 +1,18 @@
 #include "live_connection.hpp"
 
-#include <QDateTime>
-#include <QDir>
-#include <QFile>
+#include "app/io/recording_path.hpp"
+
 #include <QSerialPortInfo>
-#include <QStandardPaths>
 
 namespace echotrail {
 namespace {
 
-/// A new name by the time, UTC, in the folder of recordings.
-Result<QString> newRecording() {
-    const QString folder =
-        QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + "/echotrail/recordings";
-    if (!QDir().mkpath(folder))
-        return Error{"the folder " + folder.toStdString() + " cannot be made; connect without recording"};
-    const QString stem = folder + "/" + QDateTime::currentDateTimeUtc().toString("yyyyMMdd-HHmmss");
-    QString path = stem + ".echotrail";
-    for (int i = 2; QFile::exists(path); ++i) path = QString("%1_%2.echotrail").arg(stem).arg(i);
-    return path;
-}
-
 Result<std::unique_ptr<LogWriter>> makeLog(const LiveRequest& request) {
-    const auto path = newRecording();
-    if (!path) return Error{path.error()};
+    const auto path = newRecordingPath();
+    if (!path) return Error{path.error() + "; connect without recording"};
     const LogHeader header{ECHOTRAIL_VERSION, request.sonar.toStdString(), parameterText(request.params), request.seed,
                            std::chrono::time_point_cast<Microseconds>(std::chrono::system_clock::now())};
-    return LogWriter::create(path->toStdString(), header);
+    return LogWriter::create(*path, header);
 }
 
 LiveLink shown(const LinkState& link) {

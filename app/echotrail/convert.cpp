@@ -13,8 +13,7 @@
 #include <cstring>
 #include <fstream>
 #include <iomanip>
-#include <iostream>
-#include <map>
+#include <ostream>
 
 namespace echotrail {
 
@@ -24,39 +23,21 @@ struct ConvertArguments {
     std::string in, out, what = "tracks";
 };
 
-/// A line for every look, as --tracks writes it, with the covariance in three columns.
-std::string trackRow(const TrackLook& look, Timestamp first_ping) {
-    const nlohmann::ordered_json line = trackLine(look, first_ping);
-    std::string row;
-    for (const auto& [name, value] : line.items()) {
-        const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-        if (value.is_array())
-            for (const auto& element : value) row += "," + element.dump();
-        else
-            row += (row.empty() ? "" : ",") + text;
-    }
-    return row + "\n";
-}
-
-void writeTracks(PingSource& source, RecordedRunSettings settings, std::ostream& out) {
-    out << "time,t,track,state,target,range_m,bearing_deg,north_m,east_m,velocity_north_mps,velocity_east_mps,"
-           "covariance_nn_m2,covariance_ne_m2,covariance_ee_m2,seen\n";
-    ScanningSonarPipeline pipeline(settings.params(), settings.seed());
+Result<void> exportTracks(PingSource& source, const std::string& out) {
+    auto settings = RecordedRunSettings::of(source, {});
+    if (!settings) return Error{settings.error()};
+    auto writer = TracksWriter::open(out, TracksFormat::Csv);
+    if (!writer) return Error{writer.error()};
+    (*writer)->setFirstPing(source.info().start);
+    ScanningSonarPipeline pipeline(settings->params(), settings->seed());
     pipeline.setFanPainting(false);
-    const Timestamp start = source.info().start;
-    std::multimap<Timestamp, std::string> held;  // looks come a little out of order
-    const auto write = [&](const Update& update, Timestamp settled) {
-        for (const TrackLook& look : update.looks) held.emplace(look.time, trackRow(look, start));
-        while (!held.empty() && held.begin()->first < settled) {
-            out << held.begin()->second;
-            held.erase(held.begin());
-        }
-    };
     while (const auto ping = source.next()) {
-        settings.apply(source.takeControls(), pipeline);
-        write(pipeline.process(*ping, source.navigation()), pipeline.settledUntil());
+        settings->apply(source.takeControls(), pipeline);
+        const Update& update = pipeline.process(*ping, source.navigation());
+        if (auto written = (*writer)->add(update, pipeline.settledUntil()); !written) return written;
     }
-    write(pipeline.finish(), Timestamp::max());
+    if (auto written = (*writer)->add(pipeline.finish(), Timestamp::max()); !written) return written;
+    return (*writer)->finish({});
 }
 
 /// A line for every ping; the levels (0…255 for 0…80 dB, nearest first) as two hexadecimal digits a bin.
@@ -74,19 +55,13 @@ void writePings(PingSource& source, std::ostream& out) {
     }
 }
 
-Result<void> exportCsv(PingSource& source, const ConvertArguments& arguments) {
+Result<void> exportPings(PingSource& source, const std::string& out) {
     errno = 0;
-    std::ofstream file(arguments.out);
-    if (!file) return Error{"cannot write " + arguments.out + ": " + std::strerror(errno)};
-    if (arguments.what == "pings") {
-        writePings(source, file);
-    } else {
-        auto settings = RecordedRunSettings::of(source, {});
-        if (!settings) return Error{settings.error()};
-        writeTracks(source, *std::move(settings), file);
-    }
+    std::ofstream file(out);
+    if (!file) return Error{"cannot write " + out + ": " + std::strerror(errno)};
+    writePings(source, file);
     file.close();
-    if (!file) return Error{"cannot write " + arguments.out + ": it takes no more"};
+    if (!file) return Error{"cannot write " + out + ": it takes no more"};
     return {};
 }
 
@@ -113,7 +88,9 @@ ExitCode convert(const ConvertArguments& arguments) {
         return fail(ExitCode::Usage, arguments.in + " is an Echotrail log already; copy it");
     cv::setNumThreads(1);
     flushDenormals();
-    const auto done = to_csv ? exportCsv(**source, arguments) : importLog(**source, arguments.out);
+    const auto done = to_log                      ? importLog(**source, arguments.out)
+                      : arguments.what == "pings" ? exportPings(**source, arguments.out)
+                                                  : exportTracks(**source, arguments.out);
     if (!done) return fail(ExitCode::Failed, done.error());
     const SourceCounts counts = (*source)->counts();
     if (counts.lost_records == 0) return ExitCode::Done;

@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "core/navigation/navigation_file.hpp"
 #include "core/runtime/denormals.hpp"
+#include "event_loop.hpp"
 #include "recorded_run.hpp"
 #include "replay_options.hpp"
 #include "replay_progress.hpp"
@@ -8,19 +9,11 @@
 
 #include <opencv2/core/utility.hpp>
 
-#include <csignal>
 #include <thread>
 
 namespace echotrail {
 
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-void catchInterrupts() {
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
-}
 
 /// One replay: a source, the pipeline, and what is written about it.
 class Replay {
@@ -86,7 +79,7 @@ public:
 private:
     /// The next ping, unless the run is over.
     std::optional<Ping> nextPing() {
-        if (interrupted) {
+        if (isInterrupted()) {
             exit_reason_ = "interrupted";
             return std::nullopt;
         }
@@ -103,7 +96,7 @@ private:
         if (!options_.speed) return;
         using namespace std::chrono;
         const duration<double> due(secondsBetween(*first_, time) / *options_.speed);
-        for (auto passed = steady_clock::now() - begun_; passed < due && !interrupted;
+        for (auto passed = steady_clock::now() - begun_; passed < due && !isInterrupted();
              passed = steady_clock::now() - begun_)
             std::this_thread::sleep_for(std::min<duration<double>>(due - passed, milliseconds(100)));
     }

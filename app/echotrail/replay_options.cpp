@@ -27,25 +27,29 @@ Result<ReplayOptions::Target> targetFrom(const std::string& text) {
     return ReplayOptions::Target{*range, Bearing::degrees(*bearing)};
 }
 
-void addReplayOptions(CLI::App& command, ReplayArguments& a) {
-    command.add_option("SOURCE", a.source, "Recording (.echotrail, .V4LOG or raw .bin), or simulation://NAME?seed=N")
-        ->required();
-    command.add_option("--speed", a.speed, "max, or times real time (default max)");
-    command.add_option("--navigation", a.navigation,
-                       "File of NMEA 0183 lines with TAG block times, for a recording without navigation");
+void addRunOptions(CLI::App& command, RunArguments& a) {
     command.add_option("--tracks", a.tracks, "Write tracks as JSON Lines to this file, or - for standard output");
     command.add_option("--target", a.target,
                        "RANGE_M,BEARING_DEG of the target, in metres and degrees clockwise from the bow, seen from the "
                        "head at the first ping (default: none designated)");
     command.add_option("--parameters", a.parameter_files, "TOML file of parameters; may be given more than once");
     command.add_option("--set", a.assignments, "NAME=VALUE of one parameter; may be given more than once");
+    command.add_flag("--no-fan", a.no_fan, "Do not paint the fan image: tracks only, and faster");
+    command.footer([] { return "\n" + parameterHelp(); });
+}
+
+void addReplayOptions(CLI::App& command, ReplayArguments& a) {
+    command.add_option("SOURCE", a.source, "Recording (.echotrail, .V4LOG or raw .bin), or simulation://NAME?seed=N")
+        ->required();
+    command.add_option("--speed", a.speed, "max, or times real time (default max)");
+    command.add_option("--navigation", a.navigation,
+                       "File of NMEA 0183 lines with TAG block times, for a recording without navigation");
+    addRunOptions(command, a);
     command.add_option("--seed", a.seed, "Seed of the random numbers (default 0, or that of the recording)")
         ->check(CLI::NonNegativeNumber);
     command.add_option("--duration", a.duration_s, "Stop after so many seconds of the recording (default: its end)")
         ->check(CLI::PositiveNumber);
-    command.add_flag("--no-fan", a.no_fan, "Do not paint the fan image: tracks only, and faster");
     command.add_flag("--timings", a.timings, "Say at the end how long pings took, on standard error");
-    command.footer([] { return "\n" + parameterHelp(); });
 }
 
 Result<ReplayOptions> checkReplayOptions(const ReplayArguments& a) {

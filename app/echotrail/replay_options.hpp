@@ -13,13 +13,20 @@
 
 namespace echotrail {
 
-/// The command line of `echotrail replay`, as typed.
-struct ReplayArguments {
-    std::string source, speed = "max", navigation, tracks, target;
+/// What every run of the tracker is asked, as typed.
+struct RunArguments {
+    std::string tracks, target;
     std::vector<std::string> parameter_files, assignments;
+    bool no_fan = false;
+};
+void addRunOptions(CLI::App& command, RunArguments& arguments);
+
+/// The command line of `echotrail replay`, as typed.
+struct ReplayArguments : RunArguments {
+    std::string source, speed = "max", navigation;
     std::optional<std::uint64_t> seed;
     double duration_s = 0.0;  ///< 0: to the end
-    bool no_fan = false, timings = false;
+    bool timings = false;
 };
 
 /// The same, understood and checked.

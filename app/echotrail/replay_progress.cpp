@@ -1,22 +1,13 @@
 #include "replay_progress.hpp"
 
+#include "core/runtime/processor_time.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 
 namespace echotrail {
-
-namespace {
-
-double threadSeconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-}  // namespace
 
 ReplayProgress::ReplayProgress(const SourceInfo& source, bool keep_each)
     : start_(source.start), end_(source.end), keep_each_(keep_each), terminal_(isatty(STDERR_FILENO) == 1) {}
@@ -25,10 +16,10 @@ ReplayProgress::~ReplayProgress() {
     if (shown_) std::fputs("\r\033[K", stderr);
 }
 
-void ReplayProgress::begin() { begun_s_ = threadSeconds(); }
+void ReplayProgress::begin() { begun_s_ = processorSeconds(); }
 
 void ReplayProgress::end(Timestamp ping) {
-    const double took = threadSeconds() - begun_s_;
+    const double took = processorSeconds() - begun_s_;
     processing_s_ += took;
     if (keep_each_) each_s_.push_back(took);
     if (terminal_) show(ping);

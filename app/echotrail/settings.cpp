@@ -41,10 +41,15 @@ Result<Settings> readSettings(const std::vector<std::string>& files, const std::
 }
 
 std::string parameterHelp() {
+    return parameterHelp("Parameters, for --set NAME=VALUE and for TOML files (--parameters)",
+                         describeParameters<ScanningSonarPipeline::Params>());
+}
+
+std::string parameterHelp(const std::string& title, const std::vector<ParameterInfo>& infos) {
     std::ostringstream text;
-    text << "Parameters, for --set NAME=VALUE and for TOML files (--parameters): name, default, unit, limits\n";
+    text << title << ": name, default, unit, limits\n";
     std::string group;
-    for (const ParameterInfo& info : describeParameters<ScanningSonarPipeline::Params>()) {
+    for (const ParameterInfo& info : infos) {
         if (info.group != group) text << "\n" << (group = info.group) << "\n";
         text << "  " << info.name << " = " << ParameterInfo::toText(info.default_value)
              << (info.unit.empty() ? "" : " " + info.unit) << "  (" << limitsOf(info) << ")\n      " << info.help

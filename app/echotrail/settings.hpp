@@ -22,5 +22,7 @@ Result<Settings> readSettings(const std::vector<std::string>& files, const std::
 
 /// Every parameter with its unit, limits, default and meaning, by group: a part of `--help`.
 std::string parameterHelp();
+/// The same of any described parameters, under `title`.
+std::string parameterHelp(const std::string& title, const std::vector<ParameterInfo>& infos);
 
 }  // namespace echotrail

@@ -3,6 +3,7 @@
 #include "core/simulation/demonstration.hpp"
 #include "core/simulation/ping_model.hpp"
 #include "core/simulation/truth_file.hpp"
+#include "event_loop.hpp"
 #include "settings.hpp"
 #include "simulated_device.hpp"
 
@@ -10,8 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <QCoreApplication>
-#include <cmath>
-#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <iostream>
@@ -20,8 +19,6 @@ namespace echotrail {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
-
 struct SimulateArguments {
     std::string scenario, log, truth, serve_sonar, serve_navigation;
     std::vector<std::string> head_settings, faults;
@@ -29,15 +26,6 @@ struct SimulateArguments {
     double duration_s = 0.0;
     bool list = false;
 };
-
-template <class Params>
-std::string helpOf(const std::string& title) {
-    std::string text = title + "\n";
-    for (const ParameterInfo& info : describeParameters<Params>())
-        text += "  " + info.name + " = " + ParameterInfo::toText(info.default_value) +
-                (info.unit.empty() ? "" : " " + info.unit) + "\n      " + info.help + "\n";
-    return text + "\n";
-}
 
 ExitCode list() {
     for (const Scenario& scenario : scenarios()) std::cout << scenario.name << "\t" << scenario.description << "\n";
@@ -82,25 +70,9 @@ Result<void> setAll(Params& params, const std::vector<std::string>& assignments)
     return {};
 }
 
-/// A server where an address is given, nothing where none is.
-Result<std::unique_ptr<ByteServer>> serverAt(const std::string& option, const std::string& text) {
-    if (text.empty()) return std::unique_ptr<ByteServer>();
-    const auto address = parseLinkAddress(text);
-    if (!address) return Error{option + ": " + address.error()};
+Result<std::unique_ptr<ByteServer>> serverAt(const std::optional<LinkAddress>& address) {
+    if (!address) return std::unique_ptr<ByteServer>();
     return ByteServer::listen(*address);
-}
-
-void runUntilToldToEnd(double duration_s) {
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
-    QTimer look, duration;
-    QObject::connect(&look, &QTimer::timeout, [] {
-        if (interrupted) QCoreApplication::quit();
-    });
-    look.start(50);
-    QObject::connect(&duration, &QTimer::timeout, [] { QCoreApplication::quit(); });
-    if (duration_s > 0.0) duration.start(static_cast<int>(std::lround(1e3 * duration_s)));
-    QCoreApplication::exec();
 }
 
 /// Acts as a head, and its vehicle's navigation, until it is told to end.
@@ -108,20 +80,28 @@ ExitCode serve(const SimulateArguments& arguments, const Scenario& scenario) {
     SimulatedDevice::Setup setup{scenario, arguments.seed, {}, {}};
     if (const auto set = setAll(setup.head, arguments.head_settings); !set) return fail(ExitCode::Usage, set.error());
     if (const auto set = setAll(setup.faults, arguments.faults); !set) return fail(ExitCode::Usage, set.error());
+    const auto sonar_address = parseLinkOption("--serve-sonar", arguments.serve_sonar);
+    if (!sonar_address) return fail(ExitCode::Usage, sonar_address.error());
+    const auto navigation_address = parseLinkOption("--serve-navigation", arguments.serve_navigation);
+    if (!navigation_address) return fail(ExitCode::Usage, navigation_address.error());
+    if (*navigation_address && (*navigation_address)->kind == LinkAddress::Kind::Udp)
+        return fail(ExitCode::Usage,
+                    "--serve-navigation: who listens to navigation never speaks, so that with UDP nobody "
+                    "knows where to send it; say tcp://ADDR:PORT or pty");
     int argc = 1;
     char name[] = "echotrail";
     char* argv[] = {name, nullptr};
     const QCoreApplication application(argc, argv);
-    auto sonar = serverAt("--serve-sonar", arguments.serve_sonar);
+    auto sonar = serverAt(*sonar_address);
     if (!sonar) return fail(ExitCode::Failed, sonar.error());
-    auto navigation = serverAt("--serve-navigation", arguments.serve_navigation);
+    auto navigation = serverAt(*navigation_address);
     if (!navigation) return fail(ExitCode::Failed, navigation.error());
     nlohmann::ordered_json told{{"scenario", scenario.name}, {"seed", arguments.seed}, {"sonar", (*sonar)->address()}};
     if (*navigation) told["navigation"] = (*navigation)->address();
     std::cout << told.dump() << std::endl;
     SimulatedDevice device(setup, *std::move(sonar), *std::move(navigation));
     device.start();
-    runUntilToldToEnd(arguments.duration_s);
+    runEventLoop(arguments.duration_s > 0.0 ? std::optional(arguments.duration_s) : std::nullopt);
     std::cout << nlohmann::ordered_json{{"transmissions", device.transmissions()},
                                         {"ignored", device.ignored()},
                                         {"faults", device.faults()}}
@@ -164,11 +144,11 @@ Command addSimulateCommand(CLI::App& program) {
                         "Act as a head on tcp://ADDR:PORT, udp://ADDR:PORT or pty; port 0 is any free one");
     command->add_option("--head", a->head_settings, "NAME=VALUE of the simulated head, as in head_model=dfs");
     command->add_option("--serve-navigation", a->serve_navigation,
-                        "Say the vehicle's navigation (NMEA 0183) on tcp://ADDR:PORT, udp://ADDR:PORT or pty");
+                        "Say the vehicle's navigation (NMEA 0183) on tcp://ADDR:PORT or pty");
     command->add_option("--fault", a->faults, "NAME=VALUE of a fault of the link to the head, as in lost_bytes=0.001");
     command->footer([] {
-        return "\n" + helpOf<SimulatedHeadOptions>("For --head NAME=VALUE") +
-               helpOf<LinkFaultParams>("For --fault NAME=VALUE");
+        return "\n" + parameterHelp("For --head NAME=VALUE", describeParameters<SimulatedHeadOptions>()) + "\n" +
+               parameterHelp("For --fault NAME=VALUE", describeParameters<LinkFaultParams>());
     });
     return [a] { return simulate(*a); };
 }

@@ -13,15 +13,7 @@ Result<std::unique_ptr<TargetFeed>> TargetFeed::open(const LinkAddress& address)
 
 void TargetFeed::take(const Update& update, const ScanningSonarPipeline& pipeline) {
     const std::scoped_lock lock(mutex_);
-    if (!update.navigation_gap) {
-        const double passed_s = own_time_ ? secondsBetween(*own_time_, update.time) : 0.0;
-        if (passed_s > 0.0)
-            own_.velocity_mps =
-                Eigen::Vector2d(update.pose.north_m - own_.pose.north_m, update.pose.east_m - own_.pose.east_m) /
-                passed_s;
-        own_.pose = update.pose;
-        own_time_ = update.time;
-    }
+    if (!update.navigation_gap) followOwnMotion(update);
     bool looked_at = false;
     for (const TrackLook& look : update.looks)
         if (look.target) {
@@ -32,6 +24,18 @@ void TargetFeed::take(const Update& update, const ScanningSonarPipeline& pipelin
     target_.reset();
     for (Track& track : pipeline.tracks())
         if (track.target) target_ = std::move(track);
+}
+
+void TargetFeed::followOwnMotion(const Update& update) {
+    constexpr double baseline_s = 1.0;  // from ping to ping a centimetre of a position would be a fast vehicle
+    own_.pose = update.pose;
+    if (!baseline_) baseline_ = {update.time, update.pose};
+    const double passed_s = secondsBetween(baseline_->time, update.time);
+    if (passed_s < baseline_s) return;
+    own_.velocity_mps =
+        Eigen::Vector2d(update.pose.north_m - baseline_->pose.north_m, update.pose.east_m - baseline_->pose.east_m) /
+        passed_s;
+    baseline_ = {update.time, update.pose};
 }
 
 void TargetFeed::send(Timestamp now, Timestamp first_ping) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/io/report_sender.hpp"
+#include "core/data/pose.hpp"
 #include "core/data/track.hpp"
 #include "core/pipelines/scanning_sonar_pipeline.hpp"
 #include "core/tracking/target_report.hpp"
@@ -27,6 +28,7 @@ public:
 
 private:
     TargetFeed(std::unique_ptr<ReportSender> sender, bool nmea) : nmea_(nmea), sender_(std::move(sender)) {}
+    void followOwnMotion(const Update& update);
     std::string text(const TargetReport& report, Timestamp first_ping) const;
 
     bool nmea_;
@@ -34,7 +36,7 @@ private:
     std::mutex mutex_;
     std::optional<Track> target_;
     OwnMotion own_;
-    std::optional<Timestamp> own_time_;
+    std::optional<TimedPose> baseline_;  ///< what the own velocity is measured from
     std::vector<TrackLook> fresh_;
 };
 

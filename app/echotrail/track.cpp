@@ -1,19 +1,17 @@
 #include "commands.hpp"
 #include "core/recording/log_writer.hpp"
+#include "event_loop.hpp"
 #include "track_options.hpp"
 #include "track_run.hpp"
 
 #include <opencv2/core/utility.hpp>
 
 #include <QCoreApplication>
-#include <csignal>
 #include <iostream>
 
 namespace echotrail {
 
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
 
 ExitCode track(const TrackArguments& arguments) {
     const auto options = checkTrackOptions(arguments);
@@ -48,29 +46,9 @@ ExitCode track(const TrackArguments& arguments) {
     }
 
     TrackRun run(*options, std::move(log), std::move(tracks), std::move(feed));
-    std::string reason = "interrupted";
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
-    QTimer look;  // a signal handler may do no more than set a flag
-    QObject::connect(&look, &QTimer::timeout, [] {
-        if (interrupted) QCoreApplication::quit();
-    });
-    look.start(50);
-    QTimer duration;
-    duration.setSingleShot(true);
-    QObject::connect(&duration, &QTimer::timeout, [&reason] {
-        reason = "duration reached";
-        QCoreApplication::quit();
-    });
-    if (options->duration_s) duration.start(static_cast<int>(std::lround(1e3 * *options->duration_s)));
-    QObject::connect(&run.failed(), &QTimer::timeout, [&reason] {
-        reason = "the tracks cannot be written";
-        QCoreApplication::quit();
-    });
     run.start();
-    QCoreApplication::exec();
-
-    const auto summary = run.finish(reason);
+    const std::string reason = runEventLoop(options->duration_s);
+    const auto summary = run.finish(reason.empty() ? "the tracks cannot be written" : reason);
     if (!run.failure().empty()) return fail(ExitCode::Failed, run.failure());
     if (run.tracks()) {
         if (const auto written = run.tracks()->finish(summary); !written)

@@ -13,12 +13,11 @@
 namespace echotrail {
 
 /// The command line of `echotrail track`, as typed.
-struct TrackArguments {
-    std::string sonar, navigation, record, report, tracks, target;
-    std::vector<std::string> parameter_files, assignments;
+struct TrackArguments : RunArguments {
+    std::string sonar, navigation, record, report;
     std::uint64_t seed = 0;
     double duration_s = 0.0;  ///< 0: until it is told to end
-    bool no_record = false, no_fan = false, quiet = false;
+    bool no_record = false, quiet = false;
 };
 
 /// The same, understood and checked.

@@ -1,5 +1,6 @@
 #include "track_run.hpp"
 
+#include <QCoreApplication>
 #include <cstdio>
 #include <iostream>
 
@@ -22,7 +23,6 @@ TrackRun::TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, 
               }),
       link_(std::make_unique<HeadLink>(options.sonar, options.navigation, options.settings.params.head, runner_)) {
     runner_.setFanPainting(options.paint_fan);
-    failed_.setSingleShot(true);
 }
 
 void TrackRun::start() {
@@ -63,23 +63,24 @@ std::string TrackRun::failure() const {
 
 void TrackRun::tellHealth() {
     const LiveStatus live = runner_.status();
-    if (!failure().empty()) failed_.start(0);
-    if (live.recorder.disk != DiskState::Good && !std::exchange(disk_told_, true))
-        note("WARNING: only " + std::to_string(live.recorder.free_bytes / 1'000'000) +
-             " MB are free where the log is written; make room");
+    if (!failure().empty()) QCoreApplication::quit();
+    if (std::exchange(disk_told_, live.recorder.disk) != live.recorder.disk && live.recorder.disk != DiskState::Good)
+        note((live.recorder.disk == DiskState::Full ? "ALARM: only " : "WARNING: only ") +
+             std::to_string(live.recorder.free_bytes / 1'000'000) + " MB are free where the log is written; make room");
     if (!live.recorder.error.empty() && !std::exchange(log_told_, true))
         note("ALARM: recording has ended: " + live.recorder.error);
     if (options_.quiet) return;
     std::uint64_t rejected = 0;
     for (const auto& [cause, number] : live.counts.rejected) rejected += number;
-    std::fprintf(stderr,
-                 "echotrail: %.0f s  %s  %llu pings/s  %llu rejected  queue %zu  lag %.0f ms  log %.1f MB, %.1f GB free"
-                 "  tracks %llu\n",
-                 std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(),
-                 headStateText(link_->state().head.state).c_str(),
-                 static_cast<unsigned long long>(live.pings - pings_told_), static_cast<unsigned long long>(rejected),
-                 live.queued + live.recorder.queued, 1e3 * live.lag_s, static_cast<double>(live.recorder.bytes) / 1e6,
-                 static_cast<double>(live.recorder.free_bytes) / 1e9, static_cast<unsigned long long>(live.confirmed));
+    std::fprintf(
+        stderr,
+        "echotrail: %.0f s  %s  %llu pings/s  %llu rejected  queue %zu rows  lag %.0f ms  log %.1f MB, %.1f GB free"
+        "  tracks %llu\n",
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(),
+        headStateText(link_->state().head.state).c_str(), static_cast<unsigned long long>(live.pings - pings_told_),
+        static_cast<unsigned long long>(rejected), live.queued + live.recorder.queued, 1e3 * live.lag_s,
+        static_cast<double>(live.recorder.bytes) / 1e6, static_cast<double>(live.recorder.free_bytes) / 1e9,
+        static_cast<unsigned long long>(live.confirmed));
     pings_told_ = live.pings;
 }
 

@@ -24,6 +24,7 @@ public:
     TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, std::unique_ptr<TracksWriter> tracks,
              std::unique_ptr<TargetFeed> feed);
 
+    /// From here on an event loop must run. It is told to quit when the tracks cannot be written.
     void start();
     /// Ends the run and says how it went.
     nlohmann::ordered_json finish(const std::string& reason);
@@ -31,9 +32,7 @@ public:
     std::string failure() const;
     /// What was lost, for a person; empty where nothing was.
     std::string losses() const;
-    LiveRunner& runner() { return runner_; }
     TracksWriter* tracks() { return tracks_.get(); }
-    QTimer& failed() { return failed_; }
 
 private:
     void hear(const Update& update, Timestamp settled, const ScanningSonarPipeline& pipeline);
@@ -42,10 +41,11 @@ private:
     TrackOptions options_;
     std::unique_ptr<TracksWriter> tracks_;
     std::unique_ptr<TargetFeed> feed_;
-    QTimer health_, reports_, failed_;
+    QTimer health_, reports_;
     std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
     std::uint64_t pings_told_ = 0;
-    bool disk_told_ = false, log_told_ = false;
+    DiskState disk_told_ = DiskState::Good;
+    bool log_told_ = false;
 
     mutable std::mutex mutex_;  ///< of what the pipeline's thread writes
     std::string failure_;

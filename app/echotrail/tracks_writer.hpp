@@ -14,13 +14,16 @@
 
 namespace echotrail {
 
-/// Writes tracks as JSON Lines, the summary last. A look is known only when the beam has left its place, so looks come
-/// a little out of order; lines are held back until no earlier one can follow, and are written in order of time.
-/// Order: add() for every update in turn, then finish() once.
+enum class TracksFormat { JsonLines, Csv };
+
+/// Writes tracks as JSON Lines, the summary last, or as CSV with a header and no summary. A look is known only when the
+/// beam has left its place, so looks come a little out of order; lines are held back until no earlier one can follow,
+/// and are written in order of time. Order: add() for every update in turn, then finish() once.
 class TracksWriter {
 public:
     /// `path` is a file, or "-" for standard output. The error says why it cannot be written.
-    static Result<std::unique_ptr<TracksWriter>> open(const std::string& path);
+    static Result<std::unique_ptr<TracksWriter>> open(const std::string& path,
+                                                      TracksFormat format = TracksFormat::JsonLines);
     /// What `t` counts from; needed before the first look.
     void setFirstPing(Timestamp time) { first_ping_ = time; }
 
@@ -32,10 +35,11 @@ public:
     std::uint64_t lateLooks() const { return late_; }
 
 private:
-    explicit TracksWriter(std::string path) : path_(std::move(path)) {}
+    TracksWriter(std::string path, TracksFormat format) : path_(std::move(path)), format_(format) {}
     Result<void> writeUntil(Timestamp time);
 
     std::string path_;
+    TracksFormat format_;
     std::ofstream file_;
     std::ostream* out_ = nullptr;
     Timestamp first_ping_{};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
 
 namespace echotrail {
 namespace {
@@ -86,6 +85,13 @@ Result<LinkAddress> parseLinkAddress(const std::string& text) {
         return refused(text);
     address.port = static_cast<std::uint16_t>(*port);
     return address;
+}
+
+Result<std::optional<LinkAddress>> parseLinkOption(const std::string& option, const std::string& text) {
+    if (text.empty()) return std::optional<LinkAddress>();
+    auto address = parseLinkAddress(text);
+    if (!address) return Error{option + ": " + address.error()};
+    return std::optional(*std::move(address));
 }
 
 std::string toText(const LinkAddress& address) {

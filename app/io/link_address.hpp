@@ -3,6 +3,7 @@
 #include "core/base/result.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace echotrail {
@@ -26,6 +27,9 @@ bool isLinkAddress(const std::string& text);
 /// Reads `serial:///dev/ttyUSB0?baud=115200`, `tcp://HOST:PORT`, `udp://HOST:PORT?listen=PORT` (an IPv6 host in
 /// brackets) or `pty`. The error, a matter of usage, says what would be accepted.
 Result<LinkAddress> parseLinkAddress(const std::string& text);
+
+/// The same of an option that may be left out; the error names the option.
+Result<std::optional<LinkAddress>> parseLinkOption(const std::string& option, const std::string& text);
 
 /// As it is typed.
 std::string toText(const LinkAddress& address);

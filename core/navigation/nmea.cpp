@@ -19,6 +19,13 @@ std::vector<std::string> split(std::string_view text) {
     }
 }
 
+/// The exclusive or of all characters.
+unsigned checksum(std::string_view body) {
+    unsigned sum = 0;
+    for (const char c : body) sum ^= static_cast<unsigned char>(c);
+    return sum;
+}
+
 /// The text before `*hh`, where the checksum is right.
 Result<std::string_view> checkedBody(std::string_view text) {
     const std::size_t star = text.find('*');
@@ -28,9 +35,7 @@ Result<std::string_view> checkedBody(std::string_view text) {
     const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), stated, 16);
     if (digits.size() != 2 || read.ptr != digits.data() + 2) return rejected(nmea_cause::malformed);
     const std::string_view body = text.substr(0, star);
-    unsigned sum = 0;
-    for (const char c : body) sum ^= static_cast<unsigned char>(c);
-    if (sum != stated) return rejected(nmea_cause::bad_checksum);
+    if (checksum(body) != stated) return rejected(nmea_cause::bad_checksum);
     return body;
 }
 
@@ -95,6 +100,16 @@ Result<NmeaSentence> parseNmeaLine(std::string_view line) {
     sentence.id = *id;
     sentence.fields.erase(sentence.fields.begin());
     return sentence;
+}
+
+std::string nmeaSentence(std::string_view body) {
+    constexpr char digits[] = "0123456789ABCDEF";
+    const unsigned sum = checksum(body);
+    std::string sentence = "$";
+    sentence.append(body) += '*';
+    sentence += digits[sum >> 4U & 15U];
+    sentence += digits[sum & 15U];
+    return sentence + "\r\n";
 }
 
 }  // namespace echotrail

@@ -39,4 +39,7 @@ struct NmeaSentence {
 /// Any bytes of any length may be given. The error is one of `nmea_cause`.
 Result<NmeaSentence> parseNmeaLine(std::string_view line);
 
+/// The other way round: a body such as "HEHDT,0.2,T" with its `$`, checksum and end of line.
+std::string nmeaSentence(std::string_view body);
+
 }  // namespace echotrail

@@ -1,5 +1,7 @@
 #include "core/navigation/target_sentences.hpp"
 
+#include "core/navigation/nmea.hpp"
+
 #include <cmath>
 #include <cstdio>
 
@@ -15,11 +17,7 @@ std::string ttmSentence(const TrackLook& look, double closest_approach_m, double
     std::snprintf(body, sizeof body, "RATTM,%02d,%.4f,%.1f,R,%.2f,%.1f,T,%.4f,%.3f,K,,%c,,", look.track % 100,
                   look.range_m / metres_per_km, turn(look.bearing.inDegrees()), speed_kmh, course,
                   closest_approach_m / metres_per_km, time_to_closest_s / 60.0, status);
-    unsigned sum = 0;
-    for (const char* c = body; *c; ++c) sum ^= static_cast<unsigned char>(*c);
-    char sentence[160];
-    std::snprintf(sentence, sizeof sentence, "$%s*%02X\r\n", body, sum & 0xFFU);
-    return sentence;
+    return nmeaSentence(body);
 }
 
 }  // namespace echotrail

@@ -79,13 +79,7 @@ void ByteDump::rewind() {
 
 SourceCounts ByteDump::counts() const {
     SourceCounts counts = own_counts_;
-    counts.skipped_bytes = parser_.skippedBytes();
-    for (const auto& [cause, number] : parser_.rejected()) counts.rejected[cause] += number;
-    for (const auto& [cause, number] : assembler_.rejected()) {
-        counts.rejected[cause] += number;
-        counts.lost_records += number;
-    }
-    counts.lost_records += parser_.damagedStretches();
+    seanet::addCounts(counts, parser_, assembler_);
     return counts;
 }
 

@@ -44,7 +44,12 @@ Result<std::unique_ptr<EchotrailLog>> EchotrailLog::open(const std::string& path
 }
 
 EchotrailLog::EchotrailLog(std::unique_ptr<LogReader> reader, const RecordingOptions& options)
-    : reader_(std::move(reader)), options_(options), skips_(reader_->skips()) {}
+    : reader_(std::move(reader)), options_(options) {
+    if (auto skips = reader_->skips())
+        skips_ = *std::move(skips);
+    else
+        info_.notes.push_back("which pings the tracker skipped cannot be read: " + skips.error());
+}
 
 void EchotrailLog::describe(const std::string& path) {
     const LogHeader& header = reader_->header();

@@ -289,13 +289,15 @@ std::string LogReader::summary() {
     return text;
 }
 
-std::set<std::uint64_t> LogReader::skips() {
+Result<std::set<std::uint64_t>> LogReader::skips() {
     std::set<std::uint64_t> sequences;
     for (const Part& part : parts_) {
         auto rows = sqlite::Statement::prepare(part.database.get(), "SELECT payload FROM events WHERE kind = 8");
-        if (!rows) continue;
-        for (auto row = rows->step(); row && *row; row = rows->step())
+        if (!rows) return Error{rows.error()};
+        auto row = rows->step();
+        for (; row && *row; row = rows->step())
             sequences.insert(static_cast<std::uint64_t>(number(rows->text(0))));
+        if (!row) return Error{row.error()};
     }
     return sequences;
 }

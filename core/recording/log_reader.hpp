@@ -60,7 +60,7 @@ public:
     /// The last summary; empty where the run had no time to write it.
     std::string summary();
     /// Sequence numbers of the pings that the tracker could not take in time.
-    std::set<std::uint64_t> skips();
+    Result<std::set<std::uint64_t>> skips();
 
 private:
     struct Part {

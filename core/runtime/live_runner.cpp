@@ -2,25 +2,18 @@
 
 #include "core/recording/update_text.hpp"
 #include "core/runtime/denormals.hpp"
-
-#include <time.h>
+#include "core/runtime/processor_time.hpp"
 
 #include <string>
 
 namespace echotrail {
 namespace {
 
-constexpr std::size_t longest_queue = 100'000;  // an hour and more of pings
+constexpr std::size_t longest_queue = 100'000;  // some minutes of the reads of a busy link
 constexpr Microseconds longest_lag{2'000'000};  // an older ping is skipped: the tracker must see the present
 constexpr std::chrono::milliseconds idle_wait{200};
 
 std::vector<std::uint8_t> bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
-
-double processorSeconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 }  // namespace
 
@@ -78,8 +71,6 @@ void LiveRunner::designate(double range_m, Bearing from_bow) {
 
 void LiveRunner::clearDesignation() { post(EventKind::Designation, {}); }
 
-void LiveRunner::annotate(const std::string& remark) { post(EventKind::Annotation, bytesOf(remark)); }
-
 void LiveRunner::record(ResultRow row) {
     if (recorder_) recorder_->add(std::move(row));
 }
@@ -87,7 +78,9 @@ void LiveRunner::record(ResultRow row) {
 void LiveRunner::run() {
     flushDenormals();
     while (!events_.ended()) {
-        for (const Event& event : events_.take(idle_wait)) {
+        auto events = events_.take(idle_wait);
+        recordSkips();
+        for (const Event& event : events) {
             feed_.take(event);
             takePings(event.monotonic);
             updateStatus(event.monotonic);
@@ -95,6 +88,7 @@ void LiveRunner::run() {
     }
     feed_.finish();
     takePings(elapsed());
+    recordSkips();
     last_update_ = pipeline_.finish();
     builder_.addFinal(last_update_);
     tell(last_update_, Timestamp::max());
@@ -115,7 +109,14 @@ void LiveRunner::takePings(Microseconds arrived) {
 /// The tracker is so far behind that what it would say were of the past; a recording of the run leaves it out too.
 void LiveRunner::skip(const Ping& ping) {
     ++skipped_;
-    post(EventKind::Skip, bytesOf(std::to_string(ping.sequence)));
+    skips_to_record_.push_back(ping.sequence);
+}
+
+/// Only when the queue has just been emptied: whoever posts holds the lock that post() needs, and may be waiting for
+/// room in it.
+void LiveRunner::recordSkips() {
+    for (const std::uint64_t sequence : std::exchange(skips_to_record_, {}))
+        post(EventKind::Skip, bytesOf(std::to_string(sequence)));
 }
 
 void LiveRunner::process(const Ping& ping) {
@@ -153,7 +154,6 @@ void LiveRunner::apply(const RunControl& control) {
             pipeline_.clearDesignation();
             break;
     }
-    if (control.kind != RunControl::Kind::Parameters) designated_ = control.kind == RunControl::Kind::Designation;
 }
 
 void LiveRunner::tell(const Update& update, Timestamp settled) {
@@ -174,7 +174,6 @@ void LiveRunner::updateStatus(Microseconds arrived) {
     status_.counts = feed_.counts();
     status_.navigation = feed_.navigationStatus();
     status_.navigation_expected = feed_.navigationExpected();
-    status_.designated = designated_;
     status_.lag_s = std::chrono::duration<double>(elapsed() - arrived).count();
     status_.processing_s = processing_s_;
     status_.first_ping = first_ping_;

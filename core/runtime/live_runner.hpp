@@ -31,7 +31,6 @@ struct LiveStatus {
     SourceCounts counts;
     NavigationStatus navigation;
     bool navigation_expected = false;
-    bool designated = false;
     std::size_t queued = 0;  ///< events the tracker has not looked at
     double lag_s = 0.0;      ///< from an event's arrival to the end of its processing, the last one
     double processing_s = 0.0;
@@ -61,7 +60,6 @@ public:
     void setParams(const Params& params);
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
-    void annotate(const std::string& remark);
     void setFanPainting(bool on) { paint_fan_ = on; }
 
     /// Ends the run: everything posted is taken in and the last sweep closed.
@@ -84,6 +82,7 @@ private:
     void apply(const RunControl& control);
     void tell(const Update& update, Timestamp settled);
     void skip(const Ping& ping);
+    void recordSkips();
     void updateStatus(Microseconds arrived);
     Microseconds elapsed() const;
 
@@ -105,7 +104,7 @@ private:
     double processing_s_ = 0.0;
     std::uint64_t without_pose_ = 0;
     std::uint64_t skipped_ = 0, taken_ = 0;
-    bool designated_ = false;
+    std::vector<std::uint64_t> skips_to_record_;
     std::optional<Timestamp> first_ping_;
 
     mutable std::mutex status_mutex_;

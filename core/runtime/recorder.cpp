@@ -5,7 +5,7 @@
 namespace echotrail {
 namespace {
 
-constexpr std::size_t longest_queue = 200'000;  // over two hours at 20 pings a second
+constexpr std::size_t longest_queue = 200'000;  // some ten minutes of the reads of a busy link
 constexpr std::chrono::milliseconds commit_interval{500};
 constexpr std::uint64_t low_bytes = 2'000'000'000, full_bytes = 200'000'000;
 
@@ -44,6 +44,7 @@ void Recorder::run() {
         if (dirty && log_)
             if (const auto committed = log_->commit(); !committed) fail(committed.error());
         dirty = false;
+        uncommitted_ = 0;
         look();
     }
     if (log_)
@@ -61,6 +62,7 @@ void Recorder::write(const Row& row) {
     const auto* event = std::get_if<Event>(&row);
     const ResultRow* result = std::get_if<ResultRow>(&row);
     const auto written = event ? log_->add(*event) : log_->addUpdate(result->kind, result->time, result->text);
+    ++uncommitted_;
     if (!written) fail(written.error());
 }
 
@@ -70,7 +72,7 @@ void Recorder::fail(const std::string& reason) {
     const std::scoped_lock lock(mutex_);
     status_.recording = false;
     status_.error = reason;
-    ++status_.unsaved;
+    status_.unsaved += uncommitted_;
 }
 
 /// How much room there is.

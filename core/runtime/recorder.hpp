@@ -37,7 +37,8 @@ struct ResultRow {
 /// Writes a log on a thread of its own and commits twice a second.
 /// Threads: add() from any; it returns at once unless the disk is further behind than memory allows.
 /// Promise: what add() took is written in that order; close(), or destruction, waits until all of it is on disk. Where
-///          writing fails, recording ends: what follows is counted as unsaved, and the status says why.
+///          writing fails, recording ends: what was not committed, and what follows, is counted as unsaved, and the
+///          status says why.
 class Recorder {
 public:
     explicit Recorder(std::unique_ptr<LogWriter> log);
@@ -59,6 +60,7 @@ private:
 
     std::unique_ptr<LogWriter> log_;
     BoundedQueue<Row> queue_;
+    std::uint64_t uncommitted_ = 0;  ///< rows since the last commit; the writing thread's own
     mutable std::mutex mutex_;  ///< of status_
     RecorderStatus status_;
     std::jthread thread_;  // last, so that it ends before what it uses

@@ -1,8 +1,7 @@
 #include "core/runtime/replay_player.hpp"
 
 #include "core/imaging/local_enhancement.hpp"
-
-#include <time.h>
+#include "core/runtime/processor_time.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -13,12 +12,6 @@ namespace {
 // How much is done before the owner may change its mind: some milliseconds' worth each.
 constexpr int pings_read_per_slice = 2000;
 constexpr int pings_analysed_per_slice = 64;
-
-double processorSeconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 }  // namespace
 

@@ -84,4 +84,14 @@ bool HeadDataAssembler::giveUpUnfinished() {
     return begun;
 }
 
+void addCounts(SourceCounts& counts, const FrameParser& parser, const HeadDataAssembler& assembler) {
+    counts.skipped_bytes += parser.skippedBytes();
+    for (const auto& [cause, number] : parser.rejected()) counts.rejected[cause] += number;
+    for (const auto& [cause, number] : assembler.rejected()) {
+        counts.rejected[cause] += number;
+        counts.lost_records += number;
+    }
+    counts.lost_records += parser.damagedStretches();
+}
+
 }  // namespace echotrail::seanet

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "core/data/source.hpp"
 #include "core/seanet/frame_parser.hpp"
 
 #include <cstdint>
@@ -71,5 +72,9 @@ private:
     int next_packet_ = lost_line;         ///< 0: between lines
     std::map<std::string, std::uint64_t> rejected_;
 };
+
+/// Adds what parser and assembler have refused. Lost are the lines that the assembler knows of, and one for every
+/// damaged stretch.
+void addCounts(SourceCounts& counts, const FrameParser& parser, const HeadDataAssembler& assembler);
 
 }  // namespace echotrail::seanet

@@ -66,13 +66,7 @@ void PingReceiver::finish(const Sink& sink) {
 SourceCounts PingReceiver::counts() const {
     if (final_counts_) return *final_counts_;
     SourceCounts counts = own_counts_;
-    counts.skipped_bytes = parser_.skippedBytes();
-    for (const auto& [cause, number] : parser_.rejected()) counts.rejected[cause] += number;
-    for (const auto& [cause, number] : assembler_.rejected()) {
-        counts.rejected[cause] += number;
-        counts.lost_records += number;
-    }
-    counts.lost_records += parser_.damagedStretches();
+    addCounts(counts, parser_, assembler_);
     return counts;
 }
 

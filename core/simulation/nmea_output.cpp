@@ -1,5 +1,7 @@
 #include "core/simulation/nmea_output.hpp"
 
+#include "core/navigation/nmea.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -29,13 +31,6 @@ std::string number(double value, int decimals, std::size_t whole = 1) {
     const std::size_t length = whole + (decimals > 0 ? 1 : 0) + static_cast<std::size_t>(decimals);
     if (digits.size() < length) digits.insert(0, length - digits.size(), '0');
     return digits;
-}
-
-std::string sentence(const std::string& body) {
-    constexpr char digits[] = "0123456789ABCDEF";
-    unsigned sum = 0;
-    for (const char c : body) sum ^= static_cast<unsigned char>(c);
-    return '$' + body + '*' + digits[sum >> 4 & 15] + digits[sum & 15] + "\r\n";
 }
 
 struct LatitudeLongitude {
@@ -93,22 +88,22 @@ std::string headingSentence(const NavigationSample& sample) {
     constexpr double hundredths_of_turn = 36'000.0;
     const double hundredths = std::round(sample.pose.heading.inDegrees() * 100.0);
     const double heading = std::fmod(hundredths + hundredths_of_turn, hundredths_of_turn) / 100.0;
-    return sentence("HEHDT," + number(heading, 2) + ",T");
+    return nmeaSentence("HEHDT," + number(heading, 2) + ",T");
 }
 
 std::string speedSentence(const NavigationSample& sample) {
-    return sentence("VDVBW," + alongVehicle(sample.through_water_mps, sample.pose.heading) + ',' +
-                    alongVehicle(sample.over_ground_mps, sample.pose.heading));
+    return nmeaSentence("VDVBW," + alongVehicle(sample.through_water_mps, sample.pose.heading) + ',' +
+                        alongVehicle(sample.over_ground_mps, sample.pose.heading));
 }
 
 std::string positionSentence(const NavigationSample& sample, Timestamp utc, const SimulatedPlace& place) {
     const LatitudeLongitude at = onEarth(sample.pose, place);
-    return sentence("GPGGA," + timeOfDay(utc) + ',' + coordinate(at.latitude_rad, 2, 'N', 'S') + ',' +
-                    coordinate(at.longitude_rad, 3, 'E', 'W') + ",1,08,1.0,0.0,M,0.0,M,,");
+    return nmeaSentence("GPGGA," + timeOfDay(utc) + ',' + coordinate(at.latitude_rad, 2, 'N', 'S') + ',' +
+                        coordinate(at.longitude_rad, 3, 'E', 'W') + ",1,08,1.0,0.0,M,0.0,M,,");
 }
 
 std::string depthSentence(const NavigationSample& sample) {
-    return sentence("SDDPT," + number(std::max(sample.altitude_m, 0.0), 2) + ",0.0");
+    return nmeaSentence("SDDPT," + number(std::max(sample.altitude_m, 0.0), 2) + ",0.0");
 }
 
 NmeaOutput::NmeaOutput(const Scenario& scenario, std::uint64_t seed, Timestamp start, const SimulatedPlace& place)

@@ -150,6 +150,13 @@ TEST(LiveUsage, WrongAddressesAreSaidInOneLine) {
     EXPECT_TRUE(isOneLine(exists.errors)) << exists.errors;
 }
 
+TEST(LiveUsage, NavigationIsNotServedToNobody) {
+    const Outcome outcome =
+        run({"simulate", "demo", "--serve-sonar", "pty", "--serve-navigation", "udp://127.0.0.1:0"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(isOneLine(outcome.errors)) << outcome.errors;
+}
+
 TEST(Convert, AnImportedScenarioGivesItsTracksAndItsPings) {
     const ScratchFolder folder;
     const std::string log = folder.path("s.echotrail"), truth = folder.path("truth.csv");
@@ -157,6 +164,8 @@ TEST(Convert, AnImportedScenarioGivesItsTracksAndItsPings) {
     EXPECT_EQ(linesOf(contentOf(truth)).front(),
               "t,target,north_m,east_m,velocity_north_mps,velocity_east_mps,visible");
     ASSERT_EQ(run({"replay", log, "--tracks", folder.path("a.jsonl")}).exit_code, 0);
+    // No tracker ran when it was made: nothing can be called identical.
+    EXPECT_EQ(run({"verify", log}).exit_code, 3);
     ASSERT_EQ(run({"convert", log, folder.path("tracks.csv")}).exit_code, 0);
     EXPECT_EQ(linesOf(contentOf(folder.path("tracks.csv"))).size(), linesOf(contentOf(folder.path("a.jsonl"))).size());
     ASSERT_EQ(run({"convert", log, folder.path("pings.csv"), "--what", "pings"}).exit_code, 0);

@@ -91,5 +91,10 @@ TEST(NmeaLine, AnyBytesGiveASentenceOrANamedCause) {
     }
 }
 
+TEST(NmeaSentenceText, IsReadBack) {
+    EXPECT_EQ(nmeaSentence("HEHDT,0.2,T"), "$HEHDT,0.2,T*2D\r\n");
+    EXPECT_TRUE(parseNmeaLine(nmeaSentence("GPXYZ,1,,3")));
+}
+
 }  // namespace
 }  // namespace echotrail

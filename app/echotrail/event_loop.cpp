@@ -1,0 +1,44 @@
+#include "event_loop.hpp"
+
+#include <QCoreApplication>
+#include <QTimer>
+#include <chrono>
+#include <csignal>
+
+namespace echotrail {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+constexpr int look_interval_ms = 50;
+
+}  // namespace
+
+void catchInterrupts() {
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+}
+
+bool isInterrupted() { return interrupted != 0; }
+
+const char* runEventLoop(std::optional<double> duration_s) {
+    catchInterrupts();
+    const auto begun = std::chrono::steady_clock::now();
+    const char* reason = "";
+    QTimer look;  // a signal handler may do no more than set a flag
+    QObject::connect(&look, &QTimer::timeout, [&] {
+        const double passed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        if (isInterrupted())
+            reason = "interrupted";
+        else if (duration_s && passed_s >= *duration_s)
+            reason = "duration reached";
+        else
+            return;
+        QCoreApplication::quit();
+    });
+    look.start(look_interval_ms);
+    QCoreApplication::exec();
+    return reason;
+}
+
+}  // namespace echotrail
