@@ -15,11 +15,18 @@ constexpr std::chrono::milliseconds idle_wait{200};
 
 std::vector<std::uint8_t> bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
 
+LiveRunner::Clock sinceNow() {
+    return [begun = std::chrono::steady_clock::now()] {
+        return std::chrono::duration_cast<Microseconds>(std::chrono::steady_clock::now() - begun);
+    };
+}
+
 }  // namespace
 
-LiveRunner::LiveRunner(const Params& params, std::uint64_t seed, std::unique_ptr<LogWriter> log, Listener listener)
+LiveRunner::LiveRunner(const Params& params, std::uint64_t seed, std::unique_ptr<LogWriter> log, Listener listener,
+                       Clock clock)
     : started_(std::chrono::time_point_cast<Microseconds>(std::chrono::system_clock::now())),
-      started_steady_(std::chrono::steady_clock::now()),
+      clock_(clock ? std::move(clock) : sinceNow()),
       recorder_(log ? std::make_unique<Recorder>(std::move(log)) : nullptr),
       events_(longest_queue),
       listener_(std::move(listener)),
@@ -41,10 +48,6 @@ void LiveRunner::finish() {
 
 void LiveRunner::closeLog() {
     if (recorder_) recorder_->close();
-}
-
-Microseconds LiveRunner::elapsed() const {
-    return std::chrono::duration_cast<Microseconds>(std::chrono::steady_clock::now() - started_steady_);
 }
 
 /// UTC that never jumps: when someone sets the computer's clock in the middle of a run, tracks must not break.

@@ -49,8 +49,12 @@ public:
     /// An update, and the moment before which none can follow.
     using Listener = std::function<void(const Update&, Timestamp settled, const ScanningSonarPipeline&)>;
 
-    /// Without `log` nothing is recorded.
-    LiveRunner(const Params& params, std::uint64_t seed, std::unique_ptr<LogWriter> log, Listener listener = {});
+    /// Time since the run's beginning by a clock that never jumps; called on any thread.
+    using Clock = std::function<Microseconds()>;
+
+    /// Without `log` nothing is recorded; without `clock` it is the computer's own.
+    LiveRunner(const Params& params, std::uint64_t seed, std::unique_ptr<LogWriter> log, Listener listener = {},
+               Clock clock = {});
     ~LiveRunner();
     LiveRunner(const LiveRunner&) = delete;
     LiveRunner& operator=(const LiveRunner&) = delete;
@@ -84,10 +88,10 @@ private:
     void skip(const Ping& ping);
     void recordSkips();
     void updateStatus(Microseconds arrived);
-    Microseconds elapsed() const;
+    Microseconds elapsed() const { return clock_(); }
 
     const Timestamp started_;
-    const std::chrono::steady_clock::time_point started_steady_;
+    const Clock clock_;
     std::mutex post_mutex_;  ///< one number after the other, in the same order for log and tracker
     std::uint64_t next_number_ = 0;
     std::unique_ptr<Recorder> recorder_;

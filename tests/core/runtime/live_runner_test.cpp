@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace echotrail {
@@ -83,39 +85,70 @@ protected:
     std::string path_;
 };
 
+/// A run under a clock of the test's own: what is posted is taken in before the clock goes on.
+class Paced {
+public:
+    Paced(const LiveRunner::Params& params, std::unique_ptr<LogWriter> log, LiveRunner::Listener listener)
+        : runner(params, 5, std::move(log), std::move(listener), [this] { return Microseconds(now_us_.load()); }) {}
+    void post(EventKind kind, std::vector<std::uint8_t> payload) {
+        runner.post(kind, std::move(payload));
+        settle(1);
+    }
+    /// Until so many more events are taken in.
+    void settle(std::uint64_t events) {
+        taken_ += events;
+        while (runner.status().events < taken_) std::this_thread::yield();
+    }
+    void wait(std::int64_t us) { now_us_ += us; }
+
+private:
+    std::atomic<std::int64_t> now_us_ = 0;
+    std::uint64_t taken_ = 1;  // the parameters at the beginning
+
+public:
+    LiveRunner runner;
+};
+
 TEST_F(Live, ItsRecordingGivesTheSameLooksBitForBit) {
     std::vector<std::string> live;
     const LiveRunner::Params params;
     {
-        LiveRunner runner(params, 5, log(5, params), [&](const Update& update, Timestamp, const ScanningSonarPipeline&) {
+        Paced run(params, log(5, params), [&](const Update& update, Timestamp, const ScanningSonarPipeline&) {
             for (const TrackLook& look : update.looks) live.push_back(lookText(look));
         });
-        runner.designate(20.0, Bearing::degrees(0.0));
+        run.settle(0);
+        run.runner.designate(20.0, Bearing::degrees(0.0));
+        run.settle(1);
         int sent = 0;
         for (const auto& frame : scan(8)) {
-            runner.post(EventKind::SonarBytes, {frame.begin(), frame.begin() + 200});
-            if (sent % 40 == 7) runner.post(EventKind::NavigationBytes, bytesOf("$HEHDT,010.0,T*2D\r\n"));
+            run.wait(80'000);
+            run.post(EventKind::SonarBytes, {frame.begin(), frame.begin() + 200});
+            run.wait(20'000);
+            if (sent % 40 == 7) run.post(EventKind::NavigationBytes, bytesOf("$HEHDT,010.0,T*2D\r\n"));
             if (sent == 90) {
                 auto changed = params;
                 changed.regions.screen.seed_excess_db += 1.0;
-                runner.setParams(changed);
+                run.runner.setParams(changed);
+                run.settle(1);
             }
             if (sent == 150) {
-                runner.post(EventKind::SonarLink, bytesOf("down"));
-                runner.post(EventKind::SonarLink, bytesOf("up"));
+                run.post(EventKind::SonarLink, bytesOf("down"));
+                run.post(EventKind::SonarLink, bytesOf("up"));
             } else {
-                runner.post(EventKind::SonarBytes, {frame.begin() + 200, frame.end()});
+                run.post(EventKind::SonarBytes, {frame.begin() + 200, frame.end()});
             }
             ++sent;
         }
-        runner.finish();
-        runner.closeLog();
-        EXPECT_EQ(runner.status().pings, 407u);
-        EXPECT_EQ(runner.status().counts.rejected.at("cut_frame"), 1u);
-        EXPECT_FALSE(runner.status().recorder.recording);
-        EXPECT_EQ(runner.status().recorder.error, "");
+        run.runner.finish();
+        run.runner.closeLog();
+        const LiveStatus status = run.runner.status();
+        EXPECT_EQ(status.pings, 407u);
+        EXPECT_EQ(status.skipped, 0u);
+        EXPECT_EQ(status.counts.rejected.at("cut_frame"), 1u);
+        EXPECT_FALSE(status.recorder.recording);
+        EXPECT_EQ(status.recorder.error, "");
     }
-    EXPECT_GT(live.size(), 2u);
+    EXPECT_GT(live.size(), 4u);
     EXPECT_EQ(again(), live);
 
     const auto reader = LogReader::open(path_);
@@ -124,6 +157,39 @@ TEST_F(Live, ItsRecordingGivesTheSameLooksBitForBit) {
     while (const auto result = (*reader)->nextResult())
         if (result->kind == UpdateKind::Track) recorded.push_back(result->text);
     EXPECT_EQ(recorded, live);
+}
+
+TEST_F(Live, WhatTheTrackerCouldNotTakeInTimeIsSkippedInTheReplayToo) {
+    std::vector<std::string> live;
+    const LiveRunner::Params params;
+    std::atomic<bool> stuck = false;
+    {
+        Paced run(params, log(5, params), [&](const Update& update, Timestamp, const ScanningSonarPipeline&) {
+            while (stuck) std::this_thread::yield();
+            for (const TrackLook& look : update.looks) live.push_back(lookText(look));
+        });
+        run.settle(0);
+        int sent = 0;
+        for (const auto& frame : scan(8)) {
+            run.wait(100'000);
+            if (sent == 200) {  // the tracker stands still for 5 s, while ten pings come
+                stuck = true;
+                for (int i = 0; i < 10; ++i) run.runner.post(EventKind::SonarBytes, frame);
+                run.wait(5'000'000);
+                stuck = false;
+                run.settle(10);
+            } else {
+                run.post(EventKind::SonarBytes, frame);
+            }
+            ++sent;
+        }
+        run.runner.finish();
+        run.runner.closeLog();
+        EXPECT_GE(run.runner.status().skipped, 5u);
+        EXPECT_LE(run.runner.status().skipped, 10u);
+        EXPECT_EQ(run.runner.status().pings + run.runner.status().skipped, 417u);
+    }
+    EXPECT_EQ(again(), live);
 }
 
 TEST_F(Live, WithoutALogItTracksAllTheSame) {
