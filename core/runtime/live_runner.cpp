@@ -47,7 +47,9 @@ void LiveRunner::finish() {
 }
 
 void LiveRunner::closeLog() {
-    if (recorder_) recorder_->close();
+    if (!recorder_) return;
+    if (!summed_up_) record({UpdateKind::Summary, now(), "{\"pings\":" + std::to_string(taken_) + "}"});
+    recorder_->close();
 }
 
 /// UTC that never jumps: when someone sets the computer's clock in the middle of a run, tracks must not break.
@@ -75,7 +77,9 @@ void LiveRunner::designate(double range_m, Bearing from_bow) {
 void LiveRunner::clearDesignation() { post(EventKind::Designation, {}); }
 
 void LiveRunner::record(ResultRow row) {
-    if (recorder_) recorder_->add(std::move(row));
+    if (!recorder_) return;
+    if (row.kind == UpdateKind::Summary) summed_up_ = true;
+    recorder_->add(std::move(row));
 }
 
 void LiveRunner::run() {

@@ -68,7 +68,8 @@ public:
 
     /// Ends the run: everything posted is taken in and the last sweep closed.
     void finish();
-    /// After finish(), and what is still to be recorded (the summary): waits until all of it is on disk.
+    /// After finish(), and what is still to be recorded (the summary): waits until all of it is on disk. A log that is
+    /// closed holds a summary: where none was recorded, one that tells the number of pings.
     void closeLog();
 
     Latest<Scene>& scenes() { return scenes_; }
@@ -95,6 +96,7 @@ private:
     std::mutex post_mutex_;  ///< one number after the other, in the same order for log and tracker
     std::uint64_t next_number_ = 0;
     std::unique_ptr<Recorder> recorder_;
+    std::atomic<bool> summed_up_ = false;
     BoundedQueue<Event> events_;
     Listener listener_;
     std::atomic<bool> paint_fan_ = true;

@@ -153,6 +153,7 @@ TEST_F(Live, ItsRecordingGivesTheSameLooksBitForBit) {
 
     const auto reader = LogReader::open(path_);
     ASSERT_TRUE(reader);
+    EXPECT_EQ((*reader)->summary(), "{\"pings\":407}");
     std::vector<std::string> recorded;
     while (const auto result = (*reader)->nextResult())
         if (result->kind == UpdateKind::Track) recorded.push_back(result->text);
