@@ -29,7 +29,8 @@ const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory
     const auto at_far_end = navigation.at(ping.time + microsecondsFromSeconds(flight_s / 2.0), gap_s);
     update_.navigation_gap = !at_transmit || !at_far_end;
     if (at_transmit) vehicle_ = fromStart(*at_transmit);
-    const Ray ray = makeRay(ping, vehicle_, at_far_end ? fromStart(*at_far_end) : vehicle_, params_.head, *first_ping_);
+    update_.later_pose = at_far_end ? fromStart(*at_far_end) : vehicle_;
+    const Ray ray = makeRay(ping, vehicle_, update_.later_pose, params_.head, *first_ping_);
     SweepFollower::Step step = sweep_.follow(ping.bearing, ping.step_rad, ping.time);
     step.turned_round |= update_.navigation_gap;
     beam_ = beamOf(ping, ray, step, !navigation.empty());
@@ -49,6 +50,7 @@ const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory
     sweeps_ += step.sweep_ended;
     update_.sweep = sweeps_;
     update_.sweep_ended = step.sweep_ended;
+    update_.broke_off = step.turned_round;
     update_.pose = vehicle_;
     update_.beam = beam_.azimuth + -vehicle_.heading.inRadians();
     return update_;

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/base/time.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+/// Everything the other side can send, hold or use up has a limit, and stands here.
+namespace echotrail::link_limits {
+
+inline constexpr std::uint32_t oldest_version = 1, newest_version = 1;
+
+inline constexpr std::size_t longest_request = 64 * 1024;        ///< bytes, to the tracker
+inline constexpr std::size_t longest_message = 4 * 1024 * 1024;  ///< bytes, to a console
+
+// What one console may do
+inline constexpr std::size_t most_consoles = 16;
+inline constexpr std::size_t longest_name = 64;        ///< bytes, of a console or a program
+inline constexpr std::size_t longest_remark = 1000;    ///< bytes
+inline constexpr std::size_t most_assignments = 1000;  ///< in one request
+inline constexpr std::size_t longest_word = 256;       ///< bytes, of a parameter's name or value
+inline constexpr double requests_per_second = 50.0;    ///< on average
+inline constexpr double requests_at_once = 100.0;
+inline constexpr std::uint32_t most_refusals = 20;        ///< then it is dropped
+inline constexpr std::size_t most_waiting_requests = 64;  ///< that the run has not answered, of all consoles
+inline constexpr double farthest_pick_m = 10'000.0;
+inline constexpr Microseconds hello_within{5'000'000};
+inline constexpr Microseconds silence{15'000'000};
+inline constexpr Microseconds reads_nothing{10'000'000};  ///< while something waits for it
+inline constexpr Microseconds between_snapshots{1'000'000};
+
+// Control
+inline constexpr Microseconds control_answer{15'000'000};  ///< then who has asked may take it
+
+// What waits for one console, bytes; beyond it see SendQueue
+inline constexpr std::size_t urgent_bytes = 6 * 1024 * 1024;  ///< a snapshot must fit
+inline constexpr std::size_t regions_bytes = 256 * 1024;
+inline constexpr std::size_t particles_bytes = 256 * 1024;
+inline constexpr std::size_t picture_bytes = 2 * 1024 * 1024;
+
+// What is kept for those who come late
+inline constexpr std::size_t recent_beams = 2000;
+inline constexpr std::size_t recent_bytes = 1536 * 1024;
+inline constexpr std::size_t recent_regions = 500;
+inline constexpr std::size_t recent_log_lines = 50;
+
+// What a console believes
+inline constexpr std::size_t most_levels = 8192;
+inline constexpr std::size_t most_tracks = 2000, most_looks = 4000, longest_history = 256;
+inline constexpr std::size_t most_regions = 1000, most_outline_points = 4000;
+inline constexpr std::size_t most_particles = 4096;
+inline constexpr std::size_t most_counts = 200;
+inline constexpr std::size_t longest_text = 4096;
+inline constexpr double farthest_m = 1e7;           ///< of any coordinate
+inline constexpr std::size_t most_events = 20'000;  ///< that nobody has taken from a LinkClient
+
+inline constexpr std::size_t particles_sent = 200;  ///< of a track
+
+}  // namespace echotrail::link_limits

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/link/framing.hpp"
+#include "core/link/link_limits.hpp"
+#include "core/link/send_queue.hpp"
+
+#include <string>
+
+namespace echotrail {
+
+/// What the tracker keeps of one console.
+struct LinkSession {
+    LinkSession(std::uint32_t number, Timestamp now)
+        : console(number), connected(now), last_heard(now), budget_filled(now) {}
+
+    std::uint32_t console;
+    std::string name, program;
+    bool welcomed = false;
+    bool needs_snapshot = false;  ///< something it cannot do without was thrown away
+    bool closing = false;         ///< what waits is the last it hears
+    std::uint32_t refusals = 0;
+    Timestamp connected, last_heard, snapshot_sent{};
+    FrameReader reader{link_limits::longest_request};
+    SendQueue queue;
+
+    /// One request more; false where it has had too many lately.
+    bool mayAsk(Timestamp now);
+
+private:
+    double budget = link_limits::requests_at_once;
+    Timestamp budget_filled;
+};
+
+}  // namespace echotrail
