@@ -123,8 +123,9 @@ void MomentEncoder::remember(RecentBeam beam) {
     recent_bytes_ += beam.frame->size();
     const std::uint64_t sweep = beam.sweep;
     recent_beams_.push_back(std::move(beam));
+    // Two whole sweeps: the edge of a sector is painted in one direction of the scan only.
     const auto old = [&] {
-        return recent_beams_.front().sweep + 1 < sweep || recent_beams_.size() > link_limits::recent_beams ||
+        return recent_beams_.front().sweep + 2 < sweep || recent_beams_.size() > link_limits::recent_beams ||
                recent_bytes_ > link_limits::recent_bytes;
     };
     while (recent_beams_.size() > 1 && old()) {

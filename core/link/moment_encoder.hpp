@@ -27,9 +27,9 @@ public:
 
     const std::vector<Track>& tracks() const { return tracks_; }  ///< the last, with histories
     const std::optional<Timestamp>& firstPing() const { return first_ping_; }
-    /// Beams of this sweep and the last, oldest first, and what the beam left meanwhile: no more than about so many
-    /// bytes of them.
+    /// Beams of this sweep and the last two, oldest first: the newest of them in so many bytes.
     std::vector<SendQueue::Frame> recentBeams(std::size_t most_bytes) const;
+    /// What the beam left meanwhile.
     std::vector<SendQueue::Frame> recentRegions() const;
 
 private:

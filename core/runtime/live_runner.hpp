@@ -74,6 +74,10 @@ public:
 
     Latest<Scene>& scenes() { return scenes_; }
     LiveStatus status() const;
+    /// The ping of the update that the listener is told of, and whether poses are measured: for the listener only, on
+    /// the pipeline's thread.
+    const Ping& lastPing() const { return last_ping_; }
+    bool navigationKnown() const { return !feed_.navigation().empty(); }
     /// Of the pings, so that other outputs agree with the log's times.
     Timestamp now() const;
     /// A row for the log that is no event: the summary.

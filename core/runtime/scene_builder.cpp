@@ -73,13 +73,14 @@ void SceneBuilder::addFinal(const Update& update) {
     regions_.insert(regions_.end(), update.regions.begin(), update.regions.end());
 }
 
-Scene SceneBuilder::build(const ScanningSonarPipeline& pipeline, const Ping& ping, const Update& update) const {
+Scene SceneBuilder::build(const FanImage& fan, std::vector<Track> tracks, const Ping& ping,
+                          const Update& update) const {
     Scene scene;
     scene.latest = update;
     scene.ping = ping;
-    scene.fan = pipeline.fan().clone();
+    scene.fan = fan.clone();
     scene.regions = regions_;
-    scene.tracks = pipeline.tracks();
+    scene.tracks = std::move(tracks);
     scene.sweep_s = sweep_s_;
     scene.sector_left = left_;
     scene.sector_right = right_;

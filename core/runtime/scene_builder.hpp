@@ -17,7 +17,10 @@ public:
     void addFinal(const Update& update);
 
     /// Copies what the eye needs; the pixels of the fan are cloned.
-    Scene build(const ScanningSonarPipeline& pipeline, const Ping& ping, const Update& update) const;
+    Scene build(const ScanningSonarPipeline& pipeline, const Ping& ping, const Update& update) const {
+        return build(pipeline.fan(), pipeline.tracks(), ping, update);
+    }
+    Scene build(const FanImage& fan, std::vector<Track> tracks, const Ping& ping, const Update& update) const;
 
 private:
     /// The edges are those this sweep has reached.
