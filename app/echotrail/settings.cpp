@@ -1,5 +1,7 @@
 #include "settings.hpp"
 
+#include "core/pipelines/presets.hpp"
+
 #include <algorithm>
 #include <sstream>
 
@@ -19,6 +21,12 @@ std::string limitsOf(const ParameterInfo& info) {
     return text.str();
 }
 
+/// What a file, or the preset of this name, says.
+Result<std::vector<ParameterAssignment>> readFileOrPreset(const std::string& name) {
+    if (const Preset* preset = findPreset(name)) return readParameterText(preset->toml, name);
+    return readParameterFile(name);
+}
+
 }  // namespace
 
 Result<Settings> readSettings(const std::vector<std::string>& files, const std::vector<std::string>& assignments,
@@ -26,11 +34,13 @@ Result<Settings> readSettings(const std::vector<std::string>& files, const std::
     Settings settings{.params = base};
     bool sets_sound_speed = false;
     for (const std::string& file : files) {
-        if (const auto applied = applyParameterFile(settings.params, file); !applied) return Error{applied.error()};
-        const auto said = readParameterFile(file);
-        sets_sound_speed |= said && std::any_of(said->begin(), said->end(), [](const ParameterAssignment& assignment) {
-                                return assignment.name == "sound_speed";
-                            });
+        const auto said = readFileOrPreset(file);
+        if (!said) return Error{said.error()};
+        for (const ParameterAssignment& assignment : *said) {
+            if (const auto set = setParameter(settings.params, assignment.name, assignment.value); !set)
+                return Error{file + ":" + std::to_string(assignment.line) + ": " + set.error()};
+            sets_sound_speed |= assignment.name == "sound_speed";
+        }
     }
     for (const std::string& assignment : assignments) {
         if (const auto set = setParameterFromText(settings.params, assignment); !set) return Error{set.error()};

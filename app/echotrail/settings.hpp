@@ -15,8 +15,8 @@ struct Settings {
     std::optional<double> sound_speed;  ///< only where it was set: then it stands above what a recording stores
 };
 
-/// Files first, then single NAME=VALUE over them, all over `base`. The error is a matter of usage and names the
-/// parameter.
+/// Files first (the name of a preset stands for one), then single NAME=VALUE over them, all over `base`. The error is a
+/// matter of usage and names the parameter.
 Result<Settings> readSettings(const std::vector<std::string>& files, const std::vector<std::string>& assignments,
                               const ScanningSonarPipeline::Params& base = {});
 
