@@ -12,14 +12,17 @@ using Value = std::optional<MetricValue>;
 using Summary = ScenarioSummary;
 constexpr double seconds_per_hour = 3600.0;
 
-/// The mean over trials of a number that each has, or may have.
+/// The mean over trials of a number that each has, or may have. Student's interval knows no least value; `least` cuts
+/// off what cannot be.
 template <class Of>
-Value meanOver(const Summary& summary, const Of& of) {
+Value meanOver(const Summary& summary, const Of& of, double least = 0.0) {
     const std::vector<double> values = summary.each(of);
     if (values.empty()) return std::nullopt;
     const MeanEstimate estimate = meanEstimate(values);
-    return MetricValue{estimate.mean, values.size() > 1 ? std::optional(estimate.interval) : std::nullopt,
-                       *std::max_element(values.begin(), values.end())};
+    MetricValue value{.value = estimate.mean, .worst = *std::max_element(values.begin(), values.end())};
+    if (values.size() > 1)
+        value.interval = ConfidenceInterval{std::max(least, estimate.interval.low), estimate.interval.high};
+    return value;
 }
 
 /// The median over trials, and the greatest.
@@ -70,7 +73,6 @@ Value nees(const Summary& summary) {
     Value value = meanOver(summary, [](const TrialMetrics& trial) {
         return (trial.*kind).count ? std::optional((trial.*kind).nees()) : std::nullopt;
     });
-    value->value = (summary.pooled.*kind).nees();
     value->expected = neesBounds((summary.pooled.*kind).count);
     return value;
 }
@@ -121,6 +123,13 @@ std::optional<double> motaOf(const TrialMetrics& trial) {
     return trial.mot.objects ? std::optional(100 * trial.mot.mota()) : std::nullopt;
 }
 
+/// More is better here, so that the least is the worst; and it may be negative.
+Value mota(const Summary& summary) {
+    Value value = meanOver(summary, motaOf, -HUGE_VAL);
+    if (value) value->worst = fiveNumbers(summary.each(motaOf)).least;
+    return value;
+}
+
 template <int ClearMot::Counts::*count>
 Value motShare(const Summary& summary) {
     const ClearMot::Counts& all = summary.pooled.mot;
@@ -139,6 +148,11 @@ Value perHour(const Summary& summary) {
 template <int TrialMetrics::*count>
 Value perTrial(const Summary& summary) {
     return meanOver(summary, [](const TrialMetrics& trial) { return std::optional<double>(trial.*count); });
+}
+
+Value opportunities(const Summary& summary) {
+    if (summary.trials.empty()) return std::nullopt;
+    return MetricValue{static_cast<double>(summary.pooled.opportunities) / static_cast<double>(summary.trials.size())};
 }
 
 Value reacquisition(const Summary& summary) {
@@ -222,7 +236,7 @@ constexpr std::array metrics{
     Metric{"gospa_false_m", "GOSPA, false tracks", "m", 2, Lower, "Part of GOSPA", gospaPart<&Gospa::false_m2>},
     Metric{"mota_percent", "MOTA", "%", 1, Higher,
            "CLEAR MOT accuracy: 100 less misses, false positives and switches in percent of targets; pairs up to 7.5 m",
-           [](const Summary& s) { return meanOver(s, motaOf); }},
+           mota},
     Metric{"motp_m", "MOTP", "m", 2, Lower, "CLEAR MOT precision: mean distance of matched pairs",
            [](const Summary& s) {
                return s.pooled.mot.matches ? Value(MetricValue{s.pooled.mot.motp_m()}) : std::nullopt;
@@ -262,11 +276,7 @@ constexpr std::array metrics{
                   s) { return s.pooled.contrast_db > 0 ? Value(MetricValue{s.pooled.contrast_db}) : std::nullopt; },
            nullptr, true},
     Metric{"opportunities", "Opportunities", "per trial", 1, Higher, "Sweeps whose scanned area held the target",
-           [](const Summary& s) {
-               return meanOver(s,
-                               [](const M& trial) { return std::optional(static_cast<double>(trial.opportunities)); });
-           },
-           [](const P& p) { return std::optional(static_cast<double>(p.looks)); }},
+           opportunities, [](const P& p) { return std::optional(static_cast<double>(p.looks)); }},
     Metric{
         "processing_ms", "Processor time", "ms per ping", 3, Lower,
         "Of the pipeline alone, on the machine that made this report",

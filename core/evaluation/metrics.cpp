@@ -16,6 +16,7 @@ void addLooks(const std::vector<EvaluatedLook>& looks, TrialMetrics& metrics) {
             metrics.wrong += look.outcome == LookOutcome::Wrong;
             metrics.absent += look.outcome == LookOutcome::Absent;
             ++metrics.causes[static_cast<std::size_t>(look.cause)];
+            metrics.lost.push_back(look);
             lost_since = true;
             continue;
         }

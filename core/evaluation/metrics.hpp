@@ -48,6 +48,7 @@ struct TrialMetrics {
     std::size_t opportunities = 0;
     std::size_t correct = 0, coasted = 0, wrong = 0, absent = 0;  ///< outcomes of the opportunities
     std::array<std::size_t, loss_causes> causes{};                ///< of those not used correctly, by LossCause
+    std::vector<EvaluatedLook> lost;                              ///< those, one by one; not pooled
 
     DeviationStatistics of_correct, of_coasted, of_wrong, of_all;
     DeviationStatistics velocity_of_correct;  ///< in m/s

@@ -98,6 +98,20 @@ Json jsonOfMetrics(const ScenarioSummary& summary) {
     return json;
 }
 
+/// Lost looks one by one, so that each can be found in the data.
+Json lostLooks(const TrialMetrics& trial) {
+    Json json = Json::array();
+    for (const EvaluatedLook& look : trial.lost)
+        json.push_back({{"time", toIso8601(look.time)},
+                        {"outcome", toText(look.outcome)},
+                        {"cause", toText(look.cause)},
+                        {"true_range_m", look.true_range_m},
+                        {"true_bearing_deg", look.true_bearing.inDegrees()},
+                        {"track", look.track},
+                        {"contrast_db", look.target_db}});
+    return json;
+}
+
 Json jsonOf(const TrialMetrics& trial) {
     Json causes = Json::object();
     for (std::size_t cause = 1; cause < loss_causes; ++cause)
@@ -124,7 +138,8 @@ Json jsonOf(const TrialMetrics& trial) {
             {"renewed_picks", trial.renewed_picks},
             {"confirm_s", trial.confirmed_after_s ? Json(*trial.confirmed_after_s) : Json(nullptr)},
             {"data_s", trial.data_s},
-            {"pings", trial.pings}};
+            {"pings", trial.pings},
+            {"lost", lostLooks(trial)}};
 }
 
 Json jsonOf(const ScenarioSummary& summary, const std::string& title) {

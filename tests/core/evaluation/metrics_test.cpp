@@ -56,6 +56,9 @@ TEST(Measure, EachLossHasItsCause) {
     EXPECT_EQ(metrics.causes[static_cast<std::size_t>(LossCause::OutscoredByClutter)], 1U);
     EXPECT_EQ(metrics.causes[static_cast<std::size_t>(LossCause::NotYetConfirmed)], 1U);
     EXPECT_EQ(metrics.causes[static_cast<std::size_t>(LossCause::None)], 0U);
+    ASSERT_EQ(metrics.lost.size(), 4U);
+    EXPECT_EQ(metrics.lost[2].time, at(20));
+    EXPECT_EQ(metrics.lost[2].cause, LossCause::OutscoredByClutter);
 }
 
 TEST(Measure, DeviationsOfCorrectCoastedAndWrongOutputsAreKeptApart) {

@@ -76,6 +76,7 @@ TEST(JsonReport, HoldsEveryFigureAndTrialAndNullWhereNothingWasRun) {
     EXPECT_NEAR(first["results"][0]["figures"]["deviation_mean_m"]["value"].get<double>(), 1.0, 1e-9);
     EXPECT_EQ(first["results"][0]["trials"].size(), 2U);
     EXPECT_EQ(first["results"][0]["trials"][0]["causes"]["under the threshold"], 1);
+    EXPECT_EQ(first["results"][0]["trials"][0]["lost"][0]["time"], "1970-01-01T00:01:35.000000Z");
     EXPECT_TRUE(json["scenes"][1]["results"][1]["figures"]["loss_percent"].is_null());
     for (const Metric& metric : metricTable())
         EXPECT_TRUE(first["results"][0]["figures"].contains(std::string(metric.name))) << metric.name;
