@@ -59,7 +59,9 @@ SimulatedSource::SimulatedSource(Scenario scenario, std::uint64_t seed)
 
 std::optional<Ping> SimulatedSource::next() {
     if (next_ == info_.pings) return std::nullopt;
-    return simulatePing(scenario_, seed_, next_++);
+    if (!keep_) return simulatePing(scenario_, seed_, next_++);
+    while (kept_.size() <= next_) kept_.push_back(simulatePing(scenario_, seed_, kept_.size()));
+    return kept_[next_++];
 }
 
 std::vector<TruthSample> SimulatedSource::truth() const {

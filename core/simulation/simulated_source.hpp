@@ -32,6 +32,9 @@ public:
 
     std::optional<Ping> next() override;
     void rewind() override { next_ = 0; }
+    /// From here on every ping is kept for the next time round: making one costs more than following targets in it.
+    /// About 30 MB for an hour.
+    void keepPings() { keep_ = true; }
     const SourceInfo& info() const override { return info_; }
     SourceCounts counts() const override { return {}; }
     /// The vehicle's poses as its navigation tells them, one every 50 ms, until the last echo has come back.
@@ -45,6 +48,8 @@ private:
     Scenario scenario_;
     std::uint64_t seed_;
     std::uint64_t next_ = 0;
+    bool keep_ = false;
+    std::vector<Ping> kept_;  ///< the first ones
     SourceInfo info_;
     PoseHistory navigation_;
 };

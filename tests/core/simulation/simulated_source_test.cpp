@@ -45,6 +45,15 @@ TEST(SimulatedSource, RewindGivesTheSamePingsAgain) {
     EXPECT_EQ(take(*source, 40), before);
 }
 
+TEST(SimulatedSource, KeptPingsAreThoseThatWouldBeMadeAnew) {
+    const auto source = open("demonstration"), kept = open("demonstration");
+    kept->keepPings();
+    const auto expected = take(*source, 40);
+    EXPECT_EQ(take(*kept, 30), std::vector<Ping>(expected.begin(), expected.begin() + 30));
+    kept->rewind();
+    EXPECT_EQ(take(*kept, 40), expected);  // kept ones, then new ones
+}
+
 TEST(SimulatedSource, AllItsScenariosOpenAndHoldWhatTheyAnnounce) {
     for (Scenario scenario : scenarios()) {
         EXPECT_EQ(open(scenario.name)->info().name, scenario.name);
