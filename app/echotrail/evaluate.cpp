@@ -226,6 +226,8 @@ ExitCode conclude(const EvaluationReport& report, ReportFile& json, ReportFile& 
     if (report.interrupted)
         return fail(ExitCode::Lossy, "interrupted: " + std::to_string(report.trialsDone()) + " of " +
                                          std::to_string(report.trialsWanted()) + " trials are done");
+    if (report.lost_records > 0)
+        return fail(ExitCode::Lossy, "records of the recording were lost: " + std::to_string(report.lost_records));
     const auto missed = std::count_if(report.verdicts.begin(), report.verdicts.end(),
                                       [](const EvaluationReport::Verdict& verdict) { return !verdict.met; });
     if (missed == 0) return ExitCode::Done;

@@ -76,6 +76,7 @@ public:
         return progress_;
     }
     std::string failure() const { return failure_; }
+    std::uint64_t lostRecords() const { return lost_records_; }
     Finished& finished() { return finished_; }
     std::vector<std::vector<TrialResult>>& examples() { return examples_; }
 
@@ -99,6 +100,7 @@ private:
                 const auto truth = truthOf(scene, **source);
                 if (!truth) return Error{truth.error()};
                 result = runTrial(**source, *truth, params, job.seed, cancel);
+                lost_records_ = (*source)->counts().lost_records;
             }
             if (stop()) return {};  // it may be cut short
             keep(job, column, std::move(result));
@@ -127,6 +129,7 @@ private:
     std::vector<Job> jobs_;
     std::atomic<std::size_t> next_ = 0;
     std::atomic<bool> failed_ = false;
+    std::atomic<std::uint64_t> lost_records_ = 0;
     mutable std::mutex mutex_;
     EvaluationProgress progress_;
     std::string failure_;
@@ -207,6 +210,7 @@ Result<EvaluationReport> runEvaluation(const EvaluationPlan& plan,
         }
     }
     report.examples = std::move(trials.examples());
+    report.lost_records = trials.lostRecords();
     report.interrupted = report.trialsDone() < report.trialsWanted();
     return report;
 }

@@ -255,6 +255,7 @@ std::string jsonReport(const EvaluationReport& report) {
                     {"trials", report.trials},
                     {"trials_done", report.trialsDone()},
                     {"interrupted", report.interrupted},
+                    {"lost_records", report.lost_records},
                     {"memory_mb", report.memory_mb},
                     {"columns", columns},
                     {"scenes", scenes},

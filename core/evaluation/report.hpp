@@ -35,6 +35,7 @@ struct EvaluationReport {
     std::uint64_t first_seed = 0;
     int trials = 0;  ///< that were wanted of each scene and column
     bool interrupted = false;
+    std::uint64_t lost_records = 0;  ///< of a recording that is damaged
     double memory_mb = 0.0;  ///< greatest of the whole program; 0: not measured
     std::vector<Verdict> verdicts;
 
