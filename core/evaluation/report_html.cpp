@@ -132,11 +132,13 @@ std::string examplesOf(const EvaluationReport& report, std::size_t scene) {
 }
 
 std::string intro(const EvaluationReport& report) {
-    std::string text = report.program + ": " + std::to_string(report.scenes.size()) +
-                       (report.scenes.size() == 1 ? " scene, " : " scenes, ") + std::to_string(report.trials) +
-                       " trials of each with every set of parameters, seeds from " + std::to_string(report.first_seed) +
-                       "; " + std::to_string(report.trialsDone()) + " of " + std::to_string(report.trialsWanted()) +
-                       " trials are done.";
+    const auto counted = [](std::size_t number, const char* one) {
+        return std::to_string(number) + " " + one + (number == 1 ? "" : "s");
+    };
+    std::string text = report.program + ": " + counted(report.scenes.size(), "scene") + ", " +
+                       counted(static_cast<std::size_t>(report.trials), "trial") +
+                       " of each with every set of parameters, seeds from " + std::to_string(report.first_seed) + "; " +
+                       std::to_string(report.trialsDone()) + " of " + std::to_string(report.trialsWanted()) + " done.";
     if (report.interrupted) text += " It was interrupted: what follows is of those.";
     if (report.memory_mb > 0) text += " Memory of the whole program: " + fixedText(report.memory_mb, 0) + " MB.";
     return element("p", escaped(text)) +
