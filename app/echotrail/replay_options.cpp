@@ -32,7 +32,8 @@ void addRunOptions(CLI::App& command, RunArguments& a) {
     command.add_option("--target", a.target,
                        "RANGE_M,BEARING_DEG of the target, in metres and degrees clockwise from the bow, seen from the "
                        "head at the first ping (default: none designated)");
-    command.add_option("--parameters", a.parameter_files, "TOML file of parameters, or a preset's name; may be given more than once");
+    command.add_option("--parameters", a.parameter_files,
+                       "TOML file of parameters, or a preset's name; may be given more than once");
     command.add_option("--set", a.assignments, "NAME=VALUE of one parameter; may be given more than once");
     command.add_flag("--no-fan", a.no_fan, "Do not paint the fan image: tracks only, and faster");
     command.footer([] { return "\n" + parameterHelp(); });
