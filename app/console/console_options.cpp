@@ -36,7 +36,7 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
     demonstration->excludes(recording);
     auto* sonar = app.add_option("--sonar", options.sonar,
                                  "Connect to a head: serial:///dev/ttyUSB0?baud=115200, tcp://HOST:PORT or "
-                                 "udp://HOST:PORT?listen=PORT");
+                                 "udp://HOST:PORT?listen=PORT; or to a simulated one: simulation://NAME?seed=N");
     sonar->excludes(recording)->excludes(demonstration);
     app.add_option("--navigation", options.navigation, "NMEA 0183 (heading, position, speed) from a link of this form")
         ->needs(sonar);

@@ -7,10 +7,10 @@
 namespace echotrail {
 namespace {
 
-Result<std::unique_ptr<LogWriter>> makeLog(const LiveRequest& request) {
+Result<std::unique_ptr<LogWriter>> makeLog(const LiveRequest& request, const std::string& source) {
     const auto path = newRecordingPath();
     if (!path) return Error{path.error() + "; connect without recording"};
-    const LogHeader header{ECHOTRAIL_VERSION, request.sonar.toStdString(), parameterText(request.params), request.seed,
+    const LogHeader header{ECHOTRAIL_VERSION, source, parameterText(request.params), request.seed,
                            std::chrono::time_point_cast<Microseconds>(std::chrono::system_clock::now())};
     return LogWriter::create(*path, header);
 }
@@ -31,28 +31,31 @@ QStringList serialPorts() {
     return addresses;
 }
 
+LiveAccess liveAccess() {
+    LiveAccess access{LiveConnection::make, serialPorts, {}};
+    for (const Scenario& scenario : scenarios())
+        access.simulated_heads.append({QString::fromStdString(scenario.name),
+                                       QString::fromStdString("simulation://" + scenario.name),
+                                       QString::fromStdString(scenario.description)});
+    return access;
+}
+
 Result<std::unique_ptr<LiveSource>> LiveConnection::make(const LiveRequest& request) {
-    auto sonar = parseLinkAddress(request.sonar.toStdString());
-    if (!sonar) return Error{sonar.error()};
-    std::optional<LinkAddress> navigation;
-    if (!request.navigation.isEmpty()) {
-        auto parsed = parseLinkAddress(request.navigation.toStdString());
-        if (!parsed) return Error{"navigation: " + parsed.error()};
-        navigation = *std::move(parsed);
-    }
+    const auto addresses = parseLiveAddresses(request.sonar.toStdString(), request.navigation.toStdString());
+    if (!addresses) return Error{addresses.error()};
     std::unique_ptr<LogWriter> log;
     if (request.record) {
-        auto made = makeLog(request);
+        auto made = makeLog(request, addresses->sonarText());
         if (!made) return Error{made.error()};
         log = *std::move(made);
     }
     return std::unique_ptr<LiveSource>(
-        std::make_unique<LiveConnection>(*sonar, navigation, request.params, request.seed, std::move(log)));
+        std::make_unique<LiveConnection>(*addresses, request.params, request.seed, std::move(log)));
 }
 
-LiveConnection::LiveConnection(const LinkAddress& sonar, const std::optional<LinkAddress>& navigation,
-                               const LiveRunner::Params& params, std::uint64_t seed, std::unique_ptr<LogWriter> log)
-    : runner_(params, seed, std::move(log)), link_(sonar, navigation, params.head, runner_) {
+LiveConnection::LiveConnection(const LiveAddresses& addresses, const LiveRunner::Params& params, std::uint64_t seed,
+                               std::unique_ptr<LogWriter> log)
+    : runner_(params, seed, std::move(log)), link_(addresses, params.head, runner_) {
     thread_.setObjectName("head link");
     link_.moveToThread(&thread_);
 }

@@ -13,8 +13,8 @@ class LiveConnection : public LiveSource {
 public:
     /// With `request.record` the log is made here, in the folder of recordings.
     static Result<std::unique_ptr<LiveSource>> make(const LiveRequest& request);
-    LiveConnection(const LinkAddress& sonar, const std::optional<LinkAddress>& navigation,
-                   const LiveRunner::Params& params, std::uint64_t seed, std::unique_ptr<LogWriter> log);
+    LiveConnection(const LiveAddresses& addresses, const LiveRunner::Params& params, std::uint64_t seed,
+                   std::unique_ptr<LogWriter> log);
     ~LiveConnection() override;
 
     void start() override;
@@ -23,12 +23,16 @@ public:
     void setParams(const LiveRunner::Params& params) override;
     void designate(double range_m, Bearing from_bow) override { runner_.designate(range_m, from_bow); }
     void clearDesignation() override { runner_.clearDesignation(); }
+    void setEnhanced(bool on) override { runner_.setEnhanced(on); }
 
 private:
     LiveRunner runner_;
     HeadLink link_;
     QThread thread_;
 };
+
+/// What a window needs to reach heads: real ones, and one for each built-in scenario.
+LiveAccess liveAccess();
 
 /// "serial:///dev/ttyUSB0" of every serial port that this computer has now.
 QStringList serialPorts();

@@ -1,3 +1,5 @@
+#include "app/io/byte_server.hpp"
+#include "app/io/simulated_device.hpp"
 #include "commands.hpp"
 #include "core/recording/ping_log.hpp"
 #include "core/simulation/demonstration.hpp"
@@ -5,7 +7,6 @@
 #include "core/simulation/truth_file.hpp"
 #include "event_loop.hpp"
 #include "settings.hpp"
-#include "simulated_device.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -99,7 +100,12 @@ ExitCode serve(const SimulateArguments& arguments, const Scenario& scenario) {
     nlohmann::ordered_json told{{"scenario", scenario.name}, {"seed", arguments.seed}, {"sonar", (*sonar)->address()}};
     if (*navigation) told["navigation"] = (*navigation)->address();
     std::cout << told.dump() << std::endl;
-    SimulatedDevice device(setup, *std::move(sonar), *std::move(navigation));
+    SimulatedDevice device(setup);
+    ByteServer& line = **sonar;
+    QObject::connect(&line, &ByteServer::received, &device, &SimulatedDevice::receive);
+    QObject::connect(&device, &SimulatedDevice::sonarSaid, &line, &ByteServer::send);
+    QObject::connect(&device, &SimulatedDevice::linkBroke, &line, &ByteServer::drop);
+    if (*navigation) QObject::connect(&device, &SimulatedDevice::navigationSaid, navigation->get(), &ByteServer::send);
     device.start();
     runEventLoop(arguments.duration_s > 0.0 ? std::optional(arguments.duration_s) : std::nullopt);
     std::cout << nlohmann::ordered_json{{"transmissions", device.transmissions()},

@@ -3,18 +3,18 @@
 #include "core/base/result.hpp"
 #include "core/data/source.hpp"
 #include "core/recording/recording.hpp"
+#include "core/simulation/simulation_address.hpp"
 
-#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace echotrail {
 
 /// A SOURCE of the command line that can be read from its beginning to its end: a recording or a built-in scenario.
 struct SourceAddress {
-    std::string path;      ///< of a recording; empty for a scenario
-    std::string scenario;  ///< a known name
-    std::uint64_t seed = 0;
+    std::string path;  ///< of a recording; empty for a scenario
+    std::optional<SimulationAddress> simulation;
 };
 
 /// Reads a path or `simulation://NAME?seed=N`. The error, a matter of usage, says what would be accepted; live forms

@@ -14,6 +14,7 @@ Result<std::unique_ptr<TargetFeed>> TargetFeed::open(const LinkAddress& address)
 void TargetFeed::take(const Update& update, const ScanningSonarPipeline& pipeline) {
     const std::scoped_lock lock(mutex_);
     if (!update.navigation_gap) followOwnMotion(update);
+    origin_ = pipeline.origin();
     bool looked_at = false;
     for (const TrackLook& look : update.looks)
         if (look.target) {
@@ -38,36 +39,40 @@ void TargetFeed::followOwnMotion(const Update& update) {
     baseline_ = {update.time, update.pose};
 }
 
-void TargetFeed::send(Timestamp now, Timestamp first_ping) {
+void TargetFeed::send(Timestamp now, Timestamp first_ping, const std::optional<LocalPlane>& plane) {
     const std::scoped_lock lock(mutex_);
     if (!target_) {
         fresh_.clear();
         return;
     }
-    if (fresh_.empty()) sender_->send(text(reportOn(*target_, own_, now), first_ping));
+    if (fresh_.empty()) say(reportOn(*target_, own_, now), first_ping, plane);
     for (const TrackLook& look : fresh_) {
         TargetReport report = reportOn(*target_, own_, look.time);
         report.look = look;
         report.age_s = std::max(report.age_s, 0.0);
-        sender_->send(text(report, first_ping));
+        say(report, first_ping, plane);
     }
     fresh_.clear();
 }
 
-/// Without the line feed, which the sender adds.
-std::string TargetFeed::text(const TargetReport& report, Timestamp first_ping) const {
+void TargetFeed::say(const TargetReport& report, Timestamp first_ping, const std::optional<LocalPlane>& plane) {
+    const TrackLook& look = report.look;
     if (nmea_) {
-        std::string sentence = ttmSentence(report.look, report.closest_approach_m, report.time_to_closest_s);
-        sentence.pop_back();
-        return sentence;
+        // Without the line feed, which the sender adds.
+        const auto send = [this](const std::string& line) { sender_->send({line.data(), line.size() - 1}); };
+        send(ttmSentence(look, report.closest_approach_m, report.time_to_closest_s));
+        if (plane && origin_)
+            send(tllSentence(look, plane->toGeographic({origin_->north_m + look.position_m.x(),
+                                                        origin_->east_m + look.position_m.y()})));
+        return;
     }
-    auto object = trackLine(report.look, first_ping);
+    auto object = trackLine(look, first_ping);
     object["age_s"] = report.age_s;
     object["valid"] = report.valid;
     object["closest_approach_m"] = report.closest_approach_m;
     object["time_to_closest_s"] = report.time_to_closest_s;
     object["risk"] = report.risk;
-    return object.dump();
+    sender_->send(object.dump());
 }
 
 }  // namespace echotrail

@@ -3,13 +3,13 @@
 #include "app/io/report_sender.hpp"
 #include "core/data/pose.hpp"
 #include "core/data/track.hpp"
+#include "core/navigation/local_plane.hpp"
 #include "core/pipelines/scanning_sonar_pipeline.hpp"
 #include "core/tracking/target_report.hpp"
 
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace echotrail {
@@ -22,20 +22,22 @@ public:
     static Result<std::unique_ptr<TargetFeed>> open(const LinkAddress& address);
 
     void take(const Update& update, const ScanningSonarPipeline& pipeline);
-    /// Sends what take() brought since the last call, or else the prediction for `now`.
-    void send(Timestamp now, Timestamp first_ping);
+    /// Sends what take() brought since the last call, or else the prediction for `now`. `plane` is navigation's;
+    /// without one nobody knows the target's latitude and longitude.
+    void send(Timestamp now, Timestamp first_ping, const std::optional<LocalPlane>& plane);
     const ReportSender::Counts& counts() const { return sender_->counts(); }
 
 private:
     TargetFeed(std::unique_ptr<ReportSender> sender, bool nmea) : nmea_(nmea), sender_(std::move(sender)) {}
     void followOwnMotion(const Update& update);
-    std::string text(const TargetReport& report, Timestamp first_ping) const;
+    void say(const TargetReport& report, Timestamp first_ping, const std::optional<LocalPlane>& plane);
 
     bool nmea_;
     std::unique_ptr<ReportSender> sender_;
     std::mutex mutex_;
     std::optional<Track> target_;
     OwnMotion own_;
+    std::optional<Pose> origin_;         ///< of the local frame, in the frame of navigation
     std::optional<TimedPose> baseline_;  ///< what the own velocity is measured from
     std::vector<TrackLook> fresh_;
 };

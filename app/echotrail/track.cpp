@@ -36,7 +36,7 @@ ExitCode track(const TrackArguments& arguments) {
     }
     std::unique_ptr<LogWriter> log;
     if (!options->record.empty()) {
-        const LogHeader header{ECHOTRAIL_VERSION, toText(options->sonar), parameterText(options->settings.params),
+        const LogHeader header{ECHOTRAIL_VERSION, options->addresses.sonarText(), parameterText(options->settings.params),
                                options->seed,
                                std::chrono::time_point_cast<Microseconds>(std::chrono::system_clock::now())};
         auto created = LogWriter::create(options->record, header);

@@ -7,7 +7,8 @@ namespace echotrail {
 void addTrackOptions(CLI::App& command, TrackArguments& a) {
     command
         .add_option("--sonar", a.sonar,
-                    "The head: serial:///dev/ttyUSB0?baud=115200, tcp://HOST:PORT or udp://HOST:PORT?listen=PORT")
+                    "The head: serial:///dev/ttyUSB0?baud=115200, tcp://HOST:PORT or udp://HOST:PORT?listen=PORT; or "
+                    "simulation://NAME?seed=N, a simulated head with its navigation (simulate --list names them)")
         ->required();
     command.add_option("--navigation", a.navigation,
                        "NMEA 0183 (heading, position, speed) from a link of the same form");
@@ -16,7 +17,8 @@ void addTrackOptions(CLI::App& command, TrackArguments& a) {
     command.add_flag("--no-record", a.no_record, "Keep nothing")->excludes(record);
     command.add_option("--report", a.report,
                        "Motion controller: udp://HOST:PORT or tcp://HOST:PORT gets the target as JSON lines at every "
-                       "update and at 10 Hz between; with ?format=nmea as TTM sentences");
+                       "update and at 10 Hz between; with ?format=nmea as TTM sentences, and TLL where GGA or RMC "
+                       "say where on earth");
     addRunOptions(command, a);
     command.add_option("--seed", a.seed, "Seed of the random numbers (default 0)")->check(CLI::NonNegativeNumber);
     command
@@ -27,14 +29,9 @@ void addTrackOptions(CLI::App& command, TrackArguments& a) {
 
 Result<TrackOptions> checkTrackOptions(const TrackArguments& a) {
     TrackOptions options{.tracks = a.tracks, .seed = a.seed, .paint_fan = !a.no_fan, .quiet = a.quiet};
-    auto sonar = parseLinkAddress(a.sonar);
-    if (!sonar) return Error{"--sonar: " + sonar.error()};
-    if (sonar->kind == LinkAddress::Kind::PseudoTerminal)
-        return Error{"--sonar: a pseudo-terminal is reached by its device, as serial:///dev/pts/3"};
-    options.sonar = *std::move(sonar);
-    auto navigation = parseLinkOption("--navigation", a.navigation);
-    if (!navigation) return Error{navigation.error()};
-    options.navigation = *std::move(navigation);
+    auto addresses = parseLiveAddresses(a.sonar, a.navigation);
+    if (!addresses) return Error{"--" + addresses.error()};
+    options.addresses = *std::move(addresses);
     auto report = parseLinkOption("--report", a.report);
     if (!report) return Error{report.error()};
     options.report = *std::move(report);

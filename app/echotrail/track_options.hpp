@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/io/link_address.hpp"
+#include "app/io/live_addresses.hpp"
 #include "replay_options.hpp"
 
 #include <CLI/App.hpp>
@@ -22,8 +22,8 @@ struct TrackArguments : RunArguments {
 
 /// The same, understood and checked.
 struct TrackOptions {
-    LinkAddress sonar;
-    std::optional<LinkAddress> navigation, report;
+    LiveAddresses addresses;
+    std::optional<LinkAddress> report;
     std::string record;  ///< file, or nothing
     std::string tracks;  ///< file, "-" or nothing
     std::optional<ReplayOptions::Target> target;

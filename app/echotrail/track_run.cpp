@@ -21,7 +21,7 @@ TrackRun::TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, 
               [this](const Update& update, Timestamp settled, const ScanningSonarPipeline& pipeline) {
                   hear(update, settled, pipeline);
               }),
-      link_(std::make_unique<HeadLink>(options.sonar, options.navigation, options.settings.params.head, runner_)) {
+      link_(std::make_unique<HeadLink>(options.addresses, options.settings.params.head, runner_)) {
     runner_.setFanPainting(options.paint_fan);
 }
 
@@ -37,7 +37,7 @@ void TrackRun::start() {
                 const std::scoped_lock lock(mutex_);
                 first = first_ping_;
             }
-            if (first) feed_->send(runner_.now(), *first);
+            if (first) feed_->send(runner_.now(), *first, runner_.status().navigation.plane);
         });
         reports_.start(100);
     }
@@ -94,7 +94,7 @@ nlohmann::ordered_json TrackRun::finish(const std::string& reason) {
     const seanet::HeadStatus& head = link.head;
     const NavigationStatus& navigation = live.navigation;
     const double data_s = live.first_ping && live.last_ping ? secondsBetween(*live.first_ping, *live.last_ping) : 0.0;
-    nlohmann::ordered_json summary{{"source", toText(options_.sonar)},
+    nlohmann::ordered_json summary{{"source", options_.addresses.sonarText()},
                                    {"head", head.head},
                                    {"seed", options_.seed},
                                    {"pings", live.pings},

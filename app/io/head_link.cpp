@@ -49,10 +49,9 @@ std::string headStateText(seanet::HeadState state) {
     return {};
 }
 
-HeadLink::HeadLink(const LinkAddress& sonar, const std::optional<LinkAddress>& navigation, const HeadSettings& settings,
-                   LiveRunner& runner)
-    : sonar_address_(sonar), navigation_address_(navigation), runner_(runner), session_(settings) {
-    if (navigation_address_) {
+HeadLink::HeadLink(const LiveAddresses& addresses, const HeadSettings& settings, LiveRunner& runner)
+    : addresses_(addresses), runner_(runner), session_(settings) {
+    if (addresses_.hasNavigation()) {
         current_.navigation.emplace();
         // Said first of all, so that pings wait for poses from the first one on.
         runner_.post(EventKind::NavigationLink, textBytes("down"));
@@ -71,10 +70,11 @@ HeadLink::~HeadLink() = default;
 void HeadLink::open() {
     close();
     // Made here, so that their sockets belong to the thread that works with them.
-    sonar_ = makeChannel(sonar_address_);
+    LiveChannels made = makeChannels(addresses_);
+    sonar_ = std::move(made.sonar);
+    navigation_ = std::move(made.navigation);
     connectSonar();
-    if (navigation_address_) {
-        navigation_ = makeChannel(*navigation_address_);
+    if (navigation_) {
         connectNavigation();
         navigation_->open();
     }
@@ -108,7 +108,7 @@ void HeadLink::connectSonar() {
         goUp(current_.sonar);
         runner_.post(EventKind::SonarLink, textBytes("up"));
         session_.linkUp(now(), timeOfDayMs());
-        Q_EMIT noted("sonar " + QString::fromStdString(toText(sonar_address_)) + ": connected");
+        Q_EMIT noted("sonar " + QString::fromStdString(addresses_.sonarText()) + ": connected");
         converse();
     });
     connect(sonar_.get(), &ByteChannel::wentDown, this, [this](const QString& reason) {
@@ -131,7 +131,7 @@ void HeadLink::connectNavigation() {
     connect(navigation_.get(), &ByteChannel::wentUp, this, [this] {
         goUp(*current_.navigation);
         runner_.post(EventKind::NavigationLink, textBytes("up"));
-        Q_EMIT noted("navigation " + QString::fromStdString(toText(*navigation_address_)) + ": connected");
+        Q_EMIT noted("navigation " + QString::fromStdString(addresses_.navigationText()) + ": connected");
         publish();
     });
     connect(navigation_.get(), &ByteChannel::wentDown, this, [this](const QString& reason) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/io/byte_channel.hpp"
+#include "app/io/live_addresses.hpp"
 #include "core/runtime/live_runner.hpp"
 #include "core/seanet/head_session.hpp"
 
@@ -36,8 +36,7 @@ struct HeadLinkState {
 class HeadLink : public QObject {
     Q_OBJECT
 public:
-    HeadLink(const LinkAddress& sonar, const std::optional<LinkAddress>& navigation, const HeadSettings& settings,
-             LiveRunner& runner);
+    HeadLink(const LiveAddresses& addresses, const HeadSettings& settings, LiveRunner& runner);
     ~HeadLink() override;
 
     void open();
@@ -58,8 +57,7 @@ private:
     void publish();
     Microseconds now() const;
 
-    const LinkAddress sonar_address_;
-    const std::optional<LinkAddress> navigation_address_;
+    const LiveAddresses addresses_;
     LiveRunner& runner_;
     seanet::HeadSession session_;
     std::unique_ptr<ByteChannel> sonar_, navigation_;

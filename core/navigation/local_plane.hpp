@@ -14,11 +14,15 @@ struct LocalPosition {
 /// approximation: only the earth's curvature, which shortens 10 km by 4 mm.
 class LocalPlane {
 public:
-    explicit LocalPlane(const GeographicPosition& origin) : origin_(origin) {}
+    /// `at`: local coordinates of the origin.
+    explicit LocalPlane(const GeographicPosition& origin, const LocalPosition& at = {}) : origin_(origin), at_(at) {}
     LocalPosition toLocal(const GeographicPosition& position) const;
+    /// The other way round, to less than a millimetre within 100 km; away from the poles.
+    GeographicPosition toGeographic(const LocalPosition& place) const;
 
 private:
     GeographicPosition origin_;
+    LocalPosition at_;
 };
 
 }  // namespace echotrail

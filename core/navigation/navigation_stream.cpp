@@ -111,12 +111,8 @@ void NavigationStream::takeFix(const NmeaSentence& sentence, Timestamp time) {
         return;
     }
     if (fix_time_ && time <= *fix_time_) return reject(nmea_cause::out_of_order);
-    if (!plane_) {
-        plane_.emplace(*fix);
-        plane_origin_ = place_;
-    }
-    const LocalPosition local = plane_->toLocal(*fix);
-    place_ = {plane_origin_.north_m + local.north_m, plane_origin_.east_m + local.east_m};
+    if (!status_.plane) status_.plane.emplace(*fix, place_);
+    place_ = status_.plane->toLocal(*fix);
     place_time_ = fix_time_ = time;
     status_.position_kind = sentence.id;
     ++status_.used[sentence.id];

@@ -21,6 +21,7 @@ struct NavigationStatus {
     std::optional<Timestamp> position_time;         ///< likewise, of a fix or a speed
     std::optional<Bearing> heading;                 ///< the last one
     std::optional<double> depth_m;                  ///< of the water below the transducer, DPT or DBT
+    std::optional<LocalPlane> plane;                ///< of the poses, from the first fix on
     std::map<std::string, std::uint64_t> used;      ///< by sentence
     std::map<std::string, std::uint64_t> unused;    ///< by sentence: good but not needed, or of no kind used here
     std::map<std::string, std::uint64_t> rejected;  ///< by cause, see `nmea_cause`
@@ -70,8 +71,6 @@ private:
     std::deque<TimedHeading> headings_;
     std::deque<TimedPosition> positions_;
     std::string fix_kind_, speed_kind_;
-    std::optional<LocalPlane> plane_;
-    LocalPosition plane_origin_;  ///< where the first fix was laid
     std::optional<Timestamp> fix_time_;
     LocalPosition place_;  ///< by fixes, carried on by speeds
     std::optional<Timestamp> place_time_;

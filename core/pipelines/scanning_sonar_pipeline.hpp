@@ -70,6 +70,9 @@ public:
     /// No look that is still to come is of an earlier time; so what is older can be written in order.
     Timestamp settledUntil() const;
     void setFanPainting(bool on) { paint_fan_ = on; }
+    /// Where the local frame's origin lies in the frame of navigation: where the vehicle was at the first ping. None
+    /// before a ping with a measured pose.
+    const std::optional<Pose>& origin() const { return origin_; }
     std::uint64_t confirmedTracks() const { return tracker_.confirmedEver(); }  ///< at any time so far
     std::uint64_t sweeps() const { return sweeps_; }
     std::uint64_t unsynchronisedPings() const { return unsynchronised_; }  ///< dropped: the bearing was not known

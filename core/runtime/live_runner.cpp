@@ -1,5 +1,6 @@
 #include "core/runtime/live_runner.hpp"
 
+#include "core/imaging/local_enhancement.hpp"
 #include "core/recording/update_text.hpp"
 #include "core/runtime/denormals.hpp"
 #include "core/runtime/processor_time.hpp"
@@ -142,6 +143,7 @@ void LiveRunner::process(const Ping& ping) {
     scene.position = taken_;
     scene.counts = feed_.counts();
     scene.navigation_known = !feed_.navigation().empty();
+    if (enhanced_) scene.enhanced = enhanceLocally(scene.fan, pipeline_.params().enhancement);
     scenes_.put(std::move(scene));
 }
 

@@ -65,6 +65,8 @@ public:
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
     void setFanPainting(bool on) { paint_fan_ = on; }
+    /// Whether scenes carry the locally enhanced picture too: some milliseconds each, on the pipeline's thread.
+    void setEnhanced(bool on) { enhanced_ = on; }
 
     /// Ends the run: everything posted is taken in and the last sweep closed.
     void finish();
@@ -104,6 +106,7 @@ private:
     BoundedQueue<Event> events_;
     Listener listener_;
     std::atomic<bool> paint_fan_ = true;
+    std::atomic<bool> enhanced_ = false;
 
     // The pipeline thread's own
     ScanningSonarPipeline pipeline_;

@@ -1,11 +1,9 @@
 #include "core/simulation/nmea_output.hpp"
 
 #include "core/navigation/nmea.hpp"
+#include "core/navigation/nmea_fields.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cassert>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -18,20 +16,6 @@ namespace {
 
 constexpr double knots_per_mps = 3600.0 / 1852.0;
 constexpr Microseconds quick = 100ms, slow = 1s;
-
-/// A number with a decimal point, whatever the locale; digits before it are filled up with zeros to `whole`.
-std::string number(double value, int decimals, std::size_t whole = 1) {
-    const double scale = std::pow(10.0, decimals);
-    const double rounded = std::round(value * scale) / scale + 0.0;  // no "-0"
-    std::array<char, 64> text{};
-    const auto done =
-        std::to_chars(text.data(), text.data() + text.size(), rounded, std::chars_format::fixed, decimals);
-    assert(done.ec == std::errc());
-    std::string digits(text.data(), done.ptr);
-    const std::size_t length = whole + (decimals > 0 ? 1 : 0) + static_cast<std::size_t>(decimals);
-    if (digits.size() < length) digits.insert(0, length - digits.size(), '0');
-    return digits;
-}
 
 struct LatitudeLongitude {
     double latitude_rad = 0.0, longitude_rad = 0.0;
@@ -56,30 +40,12 @@ LatitudeLongitude onEarth(const Pose& pose, const SimulatedPlace& place) {
             wrapRadians(longitude + std::atan2(east, outward))};
 }
 
-/// `ddmm.mmmmmm,N`, with as many digits of degrees as asked for.
-std::string coordinate(double radians, std::size_t degree_digits, char positive, char negative) {
-    constexpr double millionths = 60e6;  // of a minute, in a degree
-    // Rounded before it is split, so that no minutes of 60 come about.
-    const double rounded = std::round(std::abs(degreesFromRadians(radians)) * millionths);
-    const double degrees = std::floor(rounded / millionths);
-    return number(degrees, 0, degree_digits) + number((rounded - degrees * millionths) / 1e6, 6, 2) + ',' +
-           (radians < 0.0 ? negative : positive);
-}
-
 /// `ahead,starboard,A`.
 std::string alongVehicle(const Eigen::Vector2d& velocity_mps, Bearing heading) {
     const double c = std::cos(heading.inRadians()), s = std::sin(heading.inRadians());
     const double ahead = velocity_mps.x() * c + velocity_mps.y() * s;
     const double starboard = velocity_mps.y() * c - velocity_mps.x() * s;
-    return number(ahead * knots_per_mps, 3) + ',' + number(starboard * knots_per_mps, 3) + ",A";
-}
-
-std::string timeOfDay(Timestamp utc) {
-    const auto since_midnight = utc - std::chrono::floor<std::chrono::days>(utc);
-    const std::chrono::hh_mm_ss time(std::chrono::floor<std::chrono::milliseconds>(since_midnight));
-    const double seconds = std::chrono::duration<double>(time.seconds() + time.subseconds()).count();
-    return number(static_cast<double>(time.hours().count()), 0, 2) +
-           number(static_cast<double>(time.minutes().count()), 0, 2) + number(seconds, 3, 2);
+    return nmeaNumber(ahead * knots_per_mps, 3) + ',' + nmeaNumber(starboard * knots_per_mps, 3) + ",A";
 }
 
 }  // namespace
@@ -88,7 +54,7 @@ std::string headingSentence(const NavigationSample& sample) {
     constexpr double hundredths_of_turn = 36'000.0;
     const double hundredths = std::round(sample.pose.heading.inDegrees() * 100.0);
     const double heading = std::fmod(hundredths + hundredths_of_turn, hundredths_of_turn) / 100.0;
-    return nmeaSentence("HEHDT," + number(heading, 2) + ",T");
+    return nmeaSentence("HEHDT," + nmeaNumber(heading, 2) + ",T");
 }
 
 std::string speedSentence(const NavigationSample& sample) {
@@ -98,12 +64,12 @@ std::string speedSentence(const NavigationSample& sample) {
 
 std::string positionSentence(const NavigationSample& sample, Timestamp utc, const SimulatedPlace& place) {
     const LatitudeLongitude at = onEarth(sample.pose, place);
-    return nmeaSentence("GPGGA," + timeOfDay(utc) + ',' + coordinate(at.latitude_rad, 2, 'N', 'S') + ',' +
-                        coordinate(at.longitude_rad, 3, 'E', 'W') + ",1,08,1.0,0.0,M,0.0,M,,");
+    return nmeaSentence("GPGGA," + nmeaTimeOfDay(utc) + ',' + nmeaCoordinate(at.latitude_rad, 2, 'N', 'S') + ',' +
+                        nmeaCoordinate(at.longitude_rad, 3, 'E', 'W') + ",1,08,1.0,0.0,M,0.0,M,,");
 }
 
 std::string depthSentence(const NavigationSample& sample) {
-    return nmeaSentence("SDDPT," + number(std::max(sample.altitude_m, 0.0), 2) + ",0.0");
+    return nmeaSentence("SDDPT," + nmeaNumber(std::max(sample.altitude_m, 0.0), 2) + ",0.0");
 }
 
 NmeaOutput::NmeaOutput(const Scenario& scenario, std::uint64_t seed, Timestamp start, const SimulatedPlace& place)

@@ -73,14 +73,20 @@ std::vector<TruthSample> SimulatedSource::truth() const {
     return samples;
 }
 
-Result<std::unique_ptr<SimulatedSource>> openSimulation(std::string_view name, std::uint64_t seed) {
+Result<Scenario> findScenario(std::string_view name) {
     if (name == "demo") name = "demonstration";
     std::string known;
     for (const Scenario& scenario : scenarios()) {
-        if (scenario.name == name) return std::make_unique<SimulatedSource>(scenario, seed);
+        if (scenario.name == name) return scenario;
         known += (known.empty() ? "" : ", ") + scenario.name;
     }
     return Error{"there is no simulation named '" + std::string(name) + "'; there are: " + known};
+}
+
+Result<std::unique_ptr<SimulatedSource>> openSimulation(std::string_view name, std::uint64_t seed) {
+    auto scenario = findScenario(name);
+    if (!scenario) return Error{scenario.error()};
+    return std::make_unique<SimulatedSource>(*std::move(scenario), seed);
 }
 
 }  // namespace echotrail

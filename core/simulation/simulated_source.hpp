@@ -55,6 +55,8 @@ private:
 };
 
 /// A built-in scenario by its name; "demo" is the demonstration. The error names them all.
+Result<Scenario> findScenario(std::string_view name);
+/// The same as a source of pings.
 Result<std::unique_ptr<SimulatedSource>> openSimulation(std::string_view name, std::uint64_t seed);
 
 }  // namespace echotrail

@@ -5,6 +5,7 @@
 #include "core/runtime/live_runner.hpp"
 #include "core/seanet/head_session.hpp"
 
+#include <QList>
 #include <QString>
 #include <QStringList>
 #include <functional>
@@ -53,16 +54,24 @@ public:
     virtual void setParams(const LiveRunner::Params& params) = 0;
     virtual void designate(double range_m, Bearing from_bow) = 0;
     virtual void clearDesignation() = 0;
+    /// Scenes carry the locally enhanced picture too.
+    virtual void setEnhanced(bool on) = 0;
 };
 
 /// Makes a live run, not started; the error, one line, says what is wrong with the request. A head that is not there is
 /// no error: the links keep trying, and the state says so.
 using LiveOpener = std::function<Result<std::unique_ptr<LiveSource>>(const LiveRequest&)>;
 
+/// A head that is simulated in this program.
+struct SimulatedHeadChoice {
+    QString title, address, description;
+};
+
 /// How a window reaches live sources; a program without links leaves it empty.
 struct LiveAccess {
     LiveOpener open;
     std::function<QStringList()> ports;  ///< addresses of this computer's serial ports, now
+    QList<SimulatedHeadChoice> simulated_heads;
 };
 
 }  // namespace echotrail

@@ -52,6 +52,7 @@ void PipelineBridge::openLive(const QString& sonar, const QString& navigation, b
     if (!made) return Q_EMIT connectFailed(QString::fromStdString(made.error()));
     clear();  // before the start: a serial port has one owner
     live_ = std::move(*made);
+    live_->setEnhanced(enhanced_);
     live_->start();
     info_.name = sonar.toStdString();
     status_.state = ReplayState::Playing;
@@ -195,6 +196,7 @@ void PipelineBridge::designate(double range_m, double bearing_from_bow_rad) {
 void PipelineBridge::setEnhanced(bool on) {
     enhanced_ = on;
     if (runner_) runner_->setEnhanced(on);
+    if (live_) live_->setEnhanced(on);
 }
 void PipelineBridge::clearDesignation() {
     if (runner_) runner_->clearDesignation();

@@ -31,6 +31,7 @@ public:
     void setLiveAccess(LiveAccess access) { live_access_ = std::move(access); }
     bool canGoLive() const { return live_access_.open != nullptr; }
     QStringList livePorts() const { return live_access_.ports ? live_access_.ports() : QStringList(); }
+    const QList<SimulatedHeadChoice>& simulatedHeads() const { return live_access_.simulated_heads; }
     /// Polls a head instead of what is open: opened(), or connectFailed() and nothing has changed.
     void openLive(const QString& sonar, const QString& navigation, bool record);
     void close();

@@ -236,6 +236,8 @@ void MainWindow::onStatus(const ReplayStatus& status) {
     for (QAction* action : need_source_) action->setEnabled(usable);
     for (QAction* action : need_recording_) action->setEnabled(usable && !bridge_.isLive());
     disconnect_->setEnabled(bridge_.isLive());
+    edit_sector_->setEnabled(bridge_.isLive());
+    showSector();
     if (status.state == ReplayState::Failed && !status.error.empty())
         say(tr("%1. Open the recording again with Ctrl+O.").arg(QString::fromStdString(status.error)), false);
     // The last readouts of a play must not lag behind the picture they belong to.

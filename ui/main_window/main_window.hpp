@@ -13,6 +13,7 @@ class QStackedWidget;
 namespace echotrail {
 
 class ConnectionPanel;
+struct CommandedSector;
 class FanView;
 class LayersPanel;
 class MessageStrip;
@@ -86,6 +87,8 @@ private:
     void showStart(bool on);
     void makeConnectionDock();
     void askForHead();
+    void showSector();
+    void commandSector(const CommandedSector& sector);
     void onOpened();
     void onLive(const LiveState& state);
     void onScene(const std::shared_ptr<const Scene>& scene);
@@ -101,6 +104,7 @@ private:
     std::vector<QAction*> need_source_;     ///< grey while nothing is open
     std::vector<QAction*> need_recording_;  ///< grey without a recording
     QAction* disconnect_ = nullptr;
+    QAction* edit_sector_ = nullptr;
     bool recording_failure_told_ = false;
     static constexpr int layout_version = 2;  ///< of what is saved: another one is not restored
     QByteArray first_layout_;

@@ -3,6 +3,7 @@
 #include "ui/main_window/status_bar.hpp"
 #include "ui/panels/connection/connection_panel.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
+#include "ui/views/fan_view.hpp"
 
 #include <QAction>
 #include <QDockWidget>
@@ -21,6 +22,8 @@ void MainWindow::makeConnectionDock() {
             [this](const QString& summary) { setSummary(connection_dock_, summary); });
     connect(&bridge_, &PipelineBridge::connectFailed, this,
             [this](const QString& reason) { say(tr("Not connected: %1.").arg(reason), false); });
+    connect(fan_, &FanView::sectorChosen, this, &MainWindow::commandSector);
+    connect(&bridge_, &PipelineBridge::paramsChanged, this, &MainWindow::showSector);
     connect(&parameters_->model(), &ParameterModel::refused, this, [this](const QString& reason) {
         if (connection_->isAncestorOf(focusWidget())) say(reason, false);
     });
@@ -29,6 +32,14 @@ void MainWindow::makeConnectionDock() {
 void MainWindow::makeSonarMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Sonar"));
     addAction(menu, tr("&Connect…"), QKeySequence("Ctrl+L"), [this] { askForHead(); })->setEnabled(bridge_.canGoLive());
+    QMenu& simulated = *menu.addMenu(tr("Connect to a &simulated head"));
+    simulated.setToolTipsVisible(true);
+    simulated.setEnabled(bridge_.canGoLive() && !bridge_.simulatedHeads().isEmpty());
+    for (const SimulatedHeadChoice& head : bridge_.simulatedHeads())
+        addAction(simulated, head.title, {}, [this, address = head.address] {
+            connection_->connectTo(address, {}, connection_->records());
+        })->setToolTip(head.description);
+    edit_sector_ = addAction(menu, tr("Set the &sector on the fan"), QKeySequence("E"), [this] { fan_->editSector(); });
     disconnect_ = addAction(menu, tr("&Disconnect"), {}, [this] { bridge_.close(); });
 }
 
@@ -38,7 +49,28 @@ void MainWindow::askForHead() {
     connection_->focusAddress();
 }
 
+/// As the form has it now: what is on its way to the head is commanded already.
+void MainWindow::showSector() {
+    if (!bridge_.isLive()) return fan_->setSector(std::nullopt, false);
+    const HeadSettings& told = bridge_.params().head;
+    const seanet::HeadStatus& head = bridge_.liveState().head;
+    const auto same = [&told](const HeadSettings& other) {
+        return other.sector_centre_deg == told.sector_centre_deg && other.sector_width_deg == told.sector_width_deg &&
+               other.step_deg == told.step_deg;
+    };
+    const bool confirmed = same(head.commanded) && head.confirmed && head.difference.empty();
+    fan_->setSector(CommandedSector{told.sector_centre_deg, told.sector_width_deg, told.step_deg}, confirmed);
+}
+
+void MainWindow::commandSector(const CommandedSector& sector) {
+    PipelineBridge::Params params = bridge_.params();
+    params.head.sector_centre_deg = sector.centre_deg;
+    params.head.sector_width_deg = sector.width_deg;
+    parameters_->model().change(parameterValues(params), tr("sector"));
+}
+
 void MainWindow::onLive(const LiveState& state) {
+    showSector();
     status_->showLive(state, bridge_.params().navigation.longest_navigation_gap_s);
     const std::string& failure = state.run.recorder.error;
     if (!failure.empty() && !std::exchange(recording_failure_told_, true))

@@ -11,7 +11,7 @@
 namespace echotrail {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 24> keys{{
+constexpr std::array<std::pair<const char*, const char*>, 25> keys{{
     {"Space", QT_TRANSLATE_NOOP("ShortcutsOverlay", "play or pause")},
     {"← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "5 s back or on")},
     {"Shift ← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "one sweep back or on")},
@@ -31,6 +31,7 @@ constexpr std::array<std::pair<const char*, const char*>, 24> keys{{
     {"Ctrl O", QT_TRANSLATE_NOOP("ShortcutsOverlay", "open a recording")},
     {"Ctrl Shift O", QT_TRANSLATE_NOOP("ShortcutsOverlay", "open the last recording again")},
     {"Ctrl L", QT_TRANSLATE_NOOP("ShortcutsOverlay", "connect to a sonar head")},
+    {"E", QT_TRANSLATE_NOOP("ShortcutsOverlay", "set the head's sector: ← → Shift Tab Enter")},
     {"Ctrl D", QT_TRANSLATE_NOOP("ShortcutsOverlay", "demonstration")},
     {"Ctrl F", QT_TRANSLATE_NOOP("ShortcutsOverlay", "find a parameter")},
     {"Ctrl Z", QT_TRANSLATE_NOOP("ShortcutsOverlay", "undo a parameter; with Shift: redo")},

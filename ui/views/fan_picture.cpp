@@ -78,6 +78,14 @@ QList<BadgeLine> cursorLines(const FanMoment& moment, const Palette& p) {
         }
         lines << line;
     }
+    if (moment.sector && moment.sector->areThere() && !moment.sector->isConfirmed()) {
+        const bool held = moment.sector->isHeld();
+        lines << BadgeLine{
+            {text("Sector "), p.graticule},
+            {Formatter::withUnit(moment.sector->sector().width_deg, 1, "°"), p.caution, true},
+            {"  " + (held ? text("Enter or let go commands, Esc gives up") : text("commanded, not confirmed")),
+             p.mark}};
+    }
     BadgeLine place{{text("Cursor "), p.graticule}};
     if (!moment.cursor || !moment.scene) {
         place << BadgeText{Formatter::unknown(), p.graticule};
@@ -248,6 +256,7 @@ void FanPicture::paint(QPainter& painter, const QSize& size, const FanMoment& mo
     if (moment.cursor && moment.geometry.rangeOf(*moment.cursor) <= moment.geometry.sector.range_m)
         SymbolPainter(painter, palette, metrics.scale()).cursorCross(*moment.cursor);
     paintBeam(painter, *moment.scene, *moment.ages, moment.geometry, palette, metrics);
+    if (moment.sector) moment.sector->paint(painter, moment.geometry, view, palette, font);
     const QRectF top_right = paintBadges(painter, view, moment, font);
     paintInset(painter, view, top_right.bottom(), moment, font);
 }

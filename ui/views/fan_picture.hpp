@@ -4,6 +4,7 @@
 #include "ui/views/beam_schedule.hpp"
 #include "ui/views/echo_painter.hpp"
 #include "ui/views/graticule_painter.hpp"
+#include "ui/views/sector_handles.hpp"
 
 #include <QFont>
 #include <QPainter>
@@ -33,6 +34,7 @@ struct FanMoment {
     std::optional<QPointF> cursor;
     bool measuring = false;
     std::optional<Measurement> measurement;
+    const SectorHandles* sector = nullptr;
 };
 
 /// Paints the whole fan, back to front, and keeps what need not be painted anew.

@@ -136,6 +136,7 @@ FanMoment FanView::moment() const {
     moment.cursor = cursor_;
     moment.measuring = measuring_;
     moment.measurement = measurement_;
+    moment.sector = &sector_;
     return moment;
 }
 
@@ -172,6 +173,7 @@ void FanView::wheelEvent(QWheelEvent* event) {
 void FanView::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::MiddleButton) return resetView();
     if (event->button() != Qt::LeftButton) return QWidget::mousePressEvent(event);
+    if (grabSector(event->position())) return;
     pressed_ = event->position();
     dragged_from_ = pan_;
     dragging_ = false;
@@ -179,6 +181,8 @@ void FanView::mousePressEvent(QMouseEvent* event) {
 
 void FanView::mouseMoveEvent(QMouseEvent* event) {
     cursor_ = event->position();
+    if (sector_.isDragged()) sector_.drag(geometry().bearingOf(event->position()));
+    showHand();
     if (pressed_) {
         const QPointF way = event->position() - *pressed_;
         if (way.manhattanLength() >= QApplication::startDragDistance()) dragging_ = true;
@@ -189,6 +193,7 @@ void FanView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void FanView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && sector_.isDragged()) return finishSector();
     if (event->button() != Qt::LeftButton || !pressed_) return QWidget::mouseReleaseEvent(event);
     pressed_.reset();
     if (dragging_ || !scene_ || scene_->position == 0) return;
@@ -204,6 +209,7 @@ void FanView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void FanView::keyPressEvent(QKeyEvent* event) {
+    if (sector_.isHeld() && sectorKey(*event)) return;
     if (event->key() == Qt::Key_Escape && measuring_) return setMeasuring(false);
     QWidget::keyPressEvent(event);
 }

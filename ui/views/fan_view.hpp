@@ -17,6 +17,9 @@ namespace echotrail {
 /// picture and never designates; nor does a click while measuring, beyond the range or where the sonar
 /// has not looked. The wheel zooms about the cursor; the middle button or a double click beyond the range fit the
 /// picture again. Esc puts the measure away.
+/// Where a head is polled, handles stand at the edges of its sector: a drag moves an edge, and what it comes to is
+/// commanded when it is let go; Esc gives up. The same by keys after editSector(): arrows move the edge by a step, with
+/// Shift by ten, Tab takes the other one, Enter commands.
 class FanView : public QWidget {
     Q_OBJECT
 
@@ -37,6 +40,10 @@ public:
     void setFollow(bool on);
     bool measures() const { return measuring_; }
     void setMeasuring(bool on);
+    /// What the head is told to scan, and whether it says that it does so; none takes the handles away.
+    void setSector(const std::optional<CommandedSector>& commanded, bool confirmed);
+    /// Moves the sector's edges by keys from now on.
+    void editSector();
     /// Fits the sector into the widget again.
     void resetView();
 
@@ -50,6 +57,7 @@ public:
 Q_SIGNALS:
     void designated(double range_m, echotrail::Bearing from_bow);
     void trackSelected(int id);
+    void sectorChosen(const echotrail::CommandedSector& sector);
     /// Layers, echo settings, orientation, following or measuring changed.
     void settingsChanged();
 
@@ -63,12 +71,18 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
 
 private:
     FanGeometry fittedGeometry() const;
     FanGeometry geometry() const;
     FanMoment moment() const;
     void announce();
+    bool grabSector(QPointF place);
+    bool sectorKey(const QKeyEvent& event);
+    void finishSector();
+    void showHand();
     void zoomAbout(QPointF place, double factor);
     void measureAt(QPointF place);
     void pointAt(QPointF place, bool select_only);
@@ -93,6 +107,7 @@ private:
     std::optional<QPointF> pressed_;
     QPointF dragged_from_;
     bool dragging_ = false;
+    SectorHandles sector_;
     std::optional<Measurement> measurement_;
     bool measurement_open_ = false;  ///< its second place still follows the cursor
 };

@@ -18,10 +18,7 @@ using seanet::HeadState;
 struct LiveRun {
     explicit LiveRun(const std::string& sonar, const std::string& navigation = {},
                      std::unique_ptr<LogWriter> log = nullptr)
-        : runner({}, 0, std::move(log)),
-          link(parseLinkAddress(sonar).value(),
-               navigation.empty() ? std::nullopt : std::optional(parseLinkAddress(navigation).value()), HeadSettings{},
-               runner) {
+        : runner({}, 0, std::move(log)), link(parseLiveAddresses(sonar, navigation).value(), HeadSettings{}, runner) {
         QObject::connect(&link, &HeadLink::noted, [this](const QString& text) { notes += text; });
         link.open();
     }
@@ -125,6 +122,29 @@ TEST(HeadLink, NavigationReachesTheTrackerWithItsOwnLinkState) {
     ASSERT_TRUE(becomes([&] { return run.runner.status().navigation.heading.has_value(); }));
     EXPECT_NEAR(run.runner.status().navigation.heading->inDegrees(), 123.4, 1e-6);
     EXPECT_TRUE(run.link.state().navigation->last_bytes.has_value());
+}
+
+TEST(HeadLink, AHeadSimulatedHereIsAHeadLikeAnyOtherWithNavigation) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("run.echotrail").toStdString();
+    {
+        LiveRun run("simulation://demo?seed=7", {}, LogWriter::create(path, {}).value());
+        EXPECT_TRUE(run.link.state().navigation.has_value()) << "it brings its own";
+        ASSERT_TRUE(becomes([&] { return run.runner.status().pings >= 5; }));
+        EXPECT_TRUE(run.link.state().sonar.up);
+        EXPECT_TRUE(run.link.state().head.confirmed.has_value());
+        EXPECT_TRUE(run.runner.status().navigation.heading.has_value());
+        EXPECT_EQ(run.runner.status().navigation.position_kind, "GGA");
+        EXPECT_EQ(run.runner.status().without_pose, 0U);
+        run.link.close();
+        EXPECT_FALSE(run.link.state().sonar.up);
+    }
+    std::map<EventKind, int> seen;
+    const auto log = LogReader::open(path).value();
+    while (const auto event = log->next()) ++seen[event->kind];
+    for (const EventKind kind : {EventKind::SonarLink, EventKind::SonarBytes, EventKind::SentBytes,
+                                 EventKind::NavigationLink, EventKind::NavigationBytes})
+        EXPECT_GT(seen[kind], 0);
 }
 
 TEST(HeadLink, BothDirectionsAndTheLinkAreInTheLog) {

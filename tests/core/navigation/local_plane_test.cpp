@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace echotrail {
 namespace {
 
@@ -29,6 +32,17 @@ TEST(LocalPlane, TheDateLineIsNoEdge) {
     const double across = LocalPlane(at(10, 179.995)).toLocal(at(10, -179.995)).east_m;
     const double elsewhere = LocalPlane(at(10, 0)).toLocal(at(10, 0.01)).east_m;
     EXPECT_NEAR(across, elsewhere, 1e-6);
+}
+
+TEST(LocalPlane, ThereAndBackIsLessThanAMillimetre) {
+    const LocalPlane plane(at(69.5, 179.9), {120.0, -40.0});
+    EXPECT_NEAR(plane.toLocal(at(69.5, 179.9)).north_m, 120.0, 1e-9) << "the origin may lie elsewhere";
+    for (const LocalPosition place : {LocalPosition{0, 0}, {100, 20'000}, {-60'000, -60'000}, {99'000, 3}}) {
+        const GeographicPosition found = plane.toGeographic(place);
+        EXPECT_LE(std::abs(found.longitude_rad), std::numbers::pi);
+        EXPECT_NEAR(plane.toLocal(found).north_m, place.north_m, 1e-3);
+        EXPECT_NEAR(plane.toLocal(found).east_m, place.east_m, 1e-3);
+    }
 }
 
 }  // namespace

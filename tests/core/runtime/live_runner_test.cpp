@@ -202,5 +202,23 @@ TEST_F(Live, WithoutALogItTracksAllTheSame) {
     EXPECT_TRUE(runner.scenes().take());
 }
 
+TEST_F(Live, ScenesCarryTheEnhancedPictureWhileItIsAskedFor) {
+    Paced run({}, nullptr, {});
+    const auto frames = scan(1);
+    const auto sceneAfter = [&](std::size_t first) {
+        (void)run.runner.scenes().take();
+        for (std::size_t i = first; i < first + 4; ++i) run.post(EventKind::SonarBytes, frames[i]);
+        return run.runner.scenes().take();
+    };
+    EXPECT_TRUE(sceneAfter(0)->enhanced.empty());
+    run.runner.setEnhanced(true);
+    const auto asked = sceneAfter(4);
+    ASSERT_TRUE(asked);
+    EXPECT_EQ(asked->enhanced.levels.size(), asked->fan.levels.size());
+    EXPECT_FALSE(asked->fan.empty());
+    run.runner.setEnhanced(false);
+    EXPECT_TRUE(sceneAfter(8)->enhanced.empty());
+}
+
 }  // namespace
 }  // namespace echotrail

@@ -8,6 +8,7 @@
 #include "ui/panels/connection/connection_panel.hpp"
 #include "ui/panels/connection/head_controls.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
+#include "ui/views/fan_view.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,7 @@
 #include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 namespace echotrail {
 namespace {
@@ -53,7 +55,7 @@ protected:
     }
 
     QTemporaryDir folder_;
-    MainWindow window_{{.remember = false, .live = {LiveConnection::make, serialPorts}}};
+    MainWindow window_{{.remember = false, .live = liveAccess()}};
 };
 
 TEST_F(LiveMode, AHeadComesAliveAndTheWindowSaysSo) {
@@ -172,24 +174,71 @@ TEST_F(LiveMode, EverythingIsRecordedAndTheLogIsWholeAfterDisconnecting) {
     EXPECT_TRUE(chip("REC").isEmpty()) << "that is of a live head";
 }
 
-TEST_F(LiveMode, TenSwitchesBetweenLiveAndDemonstrationLeaveNoThreadAndNoFileBehind) {
+TEST_F(LiveMode, TheSectorsEdgesMoveOnTheFanAndTheHeadConfirmsThem) {
     SimulatedPeer peer;
-    const auto turn = [&](bool record) {
+    connectTo(peer.address());
+    ASSERT_TRUE(pingsCome());
+    FanView& fan = window_.fan();
+    fan.editSector();
+    for (int i = 0; i < 10; ++i) QTest::keyClick(&fan, Qt::Key_Left);
+    EXPECT_EQ(window_.bridge().params().head.sector_width_deg, 90.0) << "not before Enter";
+    QTest::keyClick(&fan, Qt::Key_Return);
+    EXPECT_EQ(window_.bridge().params().head.sector_width_deg, 72.0);
+    EXPECT_EQ(window_.bridge().params().head.sector_centre_deg, -9.0);
+    EXPECT_TRUE(await([&] {
+        const auto& confirmed = state().head.confirmed;
+        return confirmed && std::abs(confirmed->sector_width_deg - 72.0) < 0.1 &&
+               std::abs(confirmed->sector_centre_deg + 9.0) < 0.1;
+    }));
+    window_.parameters().model().undoStack().undo();
+    EXPECT_EQ(window_.bridge().params().head.sector_width_deg, 90.0) << "both in one step";
+    EXPECT_EQ(window_.bridge().params().head.sector_centre_deg, 0.0);
+}
+
+TEST_F(LiveMode, AHeadSimulatedHereIsChosenFromTheMenuAndBringsItsNavigation) {
+    EXPECT_FALSE(window_.bridge().simulatedHeads().isEmpty());
+    window_.connection().connectTo("simulation://demo", {}, true);
+    ASSERT_TRUE(pingsCome());
+    EXPECT_TRUE(window_.windowTitle().contains("simulation://demo"));
+    EXPECT_TRUE(await([&] { return chip("HDG").contains("°T"); })) << chip("HDG").toStdString();
+    const std::string path = state().run.recorder.path;
+    window_.bridge().close();
+    EXPECT_TRUE(LogReader::open(path)) << "recorded like any other";
+}
+
+TEST_F(LiveMode, TheEnhancedPictureIsThereWhileLiveToo) {
+    SimulatedPeer peer;
+    connectTo(peer.address());
+    ASSERT_TRUE(pingsCome());
+    EXPECT_TRUE(window_.bridge().scene()->enhanced.empty());
+    Layers layers = window_.fan().layers();
+    layers.enhanced = true;
+    window_.fan().setLayers(layers);
+    EXPECT_TRUE(await([&] { return !window_.bridge().scene()->enhanced.empty(); }));
+}
+
+TEST_F(LiveMode, TwentyRoundsOfLiveRecordingAndSimulationLeaveNoThreadAndNoFileBehind) {
+    SimulatedPeer peer;
+    const auto replays = [&] { return window_.bridge().isOpen() && !window_.bridge().isLive(); };
+    const auto round = [&](bool record) {
         connectTo(peer.address(), record);
         ASSERT_TRUE(await([&] { return state().sonar.up; }));
+        window_.bridge().open("scan", test::scanOpener(60));
+        ASSERT_TRUE(await([&] { return replays() && window_.bridge().scene() != nullptr; }));
+        window_.connection().connectTo("simulation://demo", {}, record);
+        ASSERT_TRUE(await([&] { return state().sonar.up && state().navigation && state().navigation->up; }));
         window_.openDemonstration();
-        ASSERT_TRUE(await([&] { return window_.bridge().isOpen() && !window_.bridge().isLive(); }));
-        ASSERT_TRUE(await([&] { return window_.bridge().scene() != nullptr; }));
+        ASSERT_TRUE(await([&] { return replays() && window_.bridge().scene() != nullptr; }));
     };
     const auto rest = [&] {
         window_.bridge().close();
         QTest::qWait(200);  // for the other end to notice
     };
-    turn(true);  // what is made once and kept
+    round(true);  // what is made once and kept
     rest();
     const qsizetype threads_before = threads();
     const qsizetype files_before = openFiles();
-    for (int i = 0; i < 10; ++i) ASSERT_NO_FATAL_FAILURE(turn(i % 2 == 0));
+    for (int i = 0; i < 20; ++i) ASSERT_NO_FATAL_FAILURE(round(i % 2 == 0));
     rest();
     EXPECT_TRUE(await([&] { return threads() <= threads_before; })) << threads() << " for " << threads_before;
     EXPECT_TRUE(await([&] { return openFiles() <= files_before; })) << openFiles() << " for " << files_before;

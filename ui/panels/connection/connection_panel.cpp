@@ -1,5 +1,6 @@
 #include "ui/panels/connection/connection_panel.hpp"
 
+#include "core/simulation/simulation_address.hpp"
 #include "ui/panels/connection/head_controls.hpp"
 #include "ui/panels/connection/recent_links.hpp"
 #include "ui/style/formatter.hpp"
@@ -35,6 +36,9 @@ public:
 private:
     std::function<void(QComboBox&)> fill_;
 };
+
+/// Such a head brings its vehicle's navigation with it.
+bool isSimulated(const QString& address) { return isSimulationAddress(address.trimmed().toStdString()); }
 
 QLabel* wrapped(const char* role, QWidget* parent) {
     auto* label = new QLabel(parent);
@@ -96,7 +100,7 @@ QComboBox* ConnectionPanel::addAddress(const QString& title, const QString& exam
     box->lineEdit()->setPlaceholderText(example);
     box->setToolTip(
         tr("serial:///dev/ttyUSB0?baud=115200, tcp://HOST:PORT or udp://HOST:PORT?listen=PORT; the list has the last "
-           "ones and this computer's serial ports"));
+           "ones, this computer's serial ports and simulated heads"));
     auto* row = new QHBoxLayout;
     row->addWidget(label);
     row->addWidget(box, 1);
@@ -120,6 +124,8 @@ void ConnectionPanel::addLink() {
     row->addWidget(connect_);
     column_->addLayout(row);
     connect(connect_, &QPushButton::clicked, this, &ConnectionPanel::toggle);
+    connect(sonar_, &QComboBox::editTextChanged, navigation_,
+            [this](const QString& address) { navigation_->setEnabled(!bridge_.isLive() && !isSimulated(address)); });
     for (QComboBox* box : {sonar_, navigation_})
         connect(box->lineEdit(), &QLineEdit::returnPressed, this, [this] {
             if (!bridge_.isLive()) toggle();
@@ -142,7 +148,17 @@ void ConnectionPanel::fill(QComboBox& box) const {
         if (!links.contains(port)) links << port;
     box.clear();
     box.addItems(links);
+    if (&box == sonar_) addSimulatedHeads(box);
     box.setEditText(typed);
+}
+
+void ConnectionPanel::addSimulatedHeads(QComboBox& box) const {
+    if (box.count() > 0) box.insertSeparator(box.count());
+    for (const SimulatedHeadChoice& head : bridge_.simulatedHeads()) {
+        if (box.findText(head.address) >= 0) continue;
+        box.addItem(head.address);
+        box.setItemData(box.count() - 1, head.description, Qt::ToolTipRole);
+    }
 }
 
 void ConnectionPanel::focusAddress() {
@@ -150,14 +166,17 @@ void ConnectionPanel::focusAddress() {
     sonar_->lineEdit()->selectAll();
 }
 
+bool ConnectionPanel::records() const { return record_->isChecked(); }
+
 void ConnectionPanel::toggle() {
     if (bridge_.isLive()) return bridge_.close();
-    connectTo(sonar_->currentText().trimmed(), navigation_->currentText().trimmed(), record_->isChecked());
+    const QString sonar = sonar_->currentText().trimmed();
+    connectTo(sonar, isSimulated(sonar) ? QString() : navigation_->currentText().trimmed(), record_->isChecked());
 }
 
 void ConnectionPanel::connectTo(const QString& sonar, const QString& navigation, bool record) {
     sonar_->setEditText(sonar);
-    navigation_->setEditText(navigation);
+    if (!isSimulated(sonar)) navigation_->setEditText(navigation);  // else kept for the next real head
     record_->setChecked(record);
     bridge_.openLive(sonar, navigation, record);
     if (!bridge_.isLive() || !remember_) return;
@@ -167,7 +186,8 @@ void ConnectionPanel::connectTo(const QString& sonar, const QString& navigation,
 
 void ConnectionPanel::showOpen() {
     const bool live = bridge_.isLive();
-    for (QWidget* field : std::initializer_list<QWidget*>{sonar_, navigation_, record_}) field->setEnabled(!live);
+    for (QWidget* field : std::initializer_list<QWidget*>{sonar_, record_}) field->setEnabled(!live);
+    navigation_->setEnabled(!live && !isSimulated(sonar_->currentText()));
     connect_->setText(live ? tr("Disconnect") : tr("Connect"));
     connect_->setEnabled(live || bridge_.canGoLive());
     if (live) return;

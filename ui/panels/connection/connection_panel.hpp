@@ -28,6 +28,8 @@ public:
     /// Connects to what the fields say, or disconnects.
     void toggle();
     void connectTo(const QString& sonar, const QString& navigation, bool record);
+    /// Whether the operator wants the next connection recorded.
+    bool records() const;
 
 Q_SIGNALS:
     /// A setting of the head was typed; the receiver checks it and hands the parameters to the bridge.
@@ -40,6 +42,7 @@ private:
     void addState();
     QComboBox* addAddress(const QString& title, const QString& example);
     void fill(QComboBox& box) const;
+    void addSimulatedHeads(QComboBox& box) const;
     void showOpen();
     void showLive(const LiveState& state);
     void showCounts(const LiveState& state);

@@ -1,4 +1,4 @@
-#include "simulated_device.hpp"
+#include "app/io/simulated_device.hpp"
 
 #include "core/simulation/ping_model.hpp"
 
@@ -18,11 +18,8 @@ Timestamp utcNow() { return std::chrono::time_point_cast<Microseconds>(std::chro
 
 }  // namespace
 
-SimulatedDevice::SimulatedDevice(const Setup& setup, std::unique_ptr<ByteServer> sonar,
-                                 std::unique_ptr<ByteServer> navigation)
+SimulatedDevice::SimulatedDevice(const Setup& setup)
     : setup_(setup),
-      sonar_(std::move(sonar)),
-      navigation_(std::move(navigation)),
       head_(setup.head,
             [this](const HeadSetup& head, Microseconds at, std::uint64_t number) { return hear(head, at, number); }),
       faults_(setup.faults, setup.seed) {}
@@ -31,18 +28,17 @@ void SimulatedDevice::start() {
     deadline_.setSingleShot(true);
     deadline_.setTimerType(Qt::PreciseTimer);
     connect(&deadline_, &QTimer::timeout, this, [this] { move(); });
-    connect(sonar_.get(), &ByteServer::received, this, [this](const QByteArray& bytes) {
-        if (!faults_.down())
-            head_.received(now(), {reinterpret_cast<const std::uint8_t*>(bytes.constData()),
-                                   static_cast<std::size_t>(bytes.size())});
-        move();
-    });
-    if (navigation_) {
-        navigation_timer_.setTimerType(Qt::PreciseTimer);
-        connect(&navigation_timer_, &QTimer::timeout, this, [this] { sayNavigation(); });
-        navigation_timer_.start(navigation_interval_ms);
-    }
+    navigation_timer_.setTimerType(Qt::PreciseTimer);
+    connect(&navigation_timer_, &QTimer::timeout, this, [this] { sayNavigation(); });
+    navigation_timer_.start(navigation_interval_ms);
     head_.powerUp(now());
+    move();
+}
+
+void SimulatedDevice::receive(const QByteArray& bytes) {
+    if (!faults_.down())
+        head_.received(
+            now(), {reinterpret_cast<const std::uint8_t*>(bytes.constData()), static_cast<std::size_t>(bytes.size())});
     move();
 }
 
@@ -68,10 +64,10 @@ void SimulatedDevice::move() {
 void SimulatedDevice::happen(const LinkHappening& happening) {
     switch (happening.kind) {
         case LinkHappening::Kind::Read:
-            sonar_->send(toQt(happening.bytes));
+            Q_EMIT sonarSaid(toQt(happening.bytes));
             break;
         case LinkHappening::Kind::Down:
-            sonar_->drop();
+            Q_EMIT linkBroke();
             break;
         case LinkHappening::Kind::Up:
             break;  // whoever asks is let in again
@@ -88,12 +84,12 @@ void SimulatedDevice::sayNavigation() {
         NavigationSample still = waiting;
         still.over_ground_mps = still.through_water_mps = {0.0, 0.0};
         const std::string text = headingSentence(still) + positionSentence(still, utcNow(), {});
-        navigation_->send(QByteArray::fromStdString(text));
+        Q_EMIT navigationSaid(QByteArray::fromStdString(text));
         return;
     }
     const Microseconds since = now() - *first_transmission_;
     if (!nmea_) nmea_.emplace(setup_.scenario, setup_.seed, utcNow() - since);
-    for (const NmeaOutput::Said& said : nmea_->take(since)) navigation_->send(QByteArray::fromStdString(said.text));
+    for (const NmeaOutput::Said& said : nmea_->take(since)) Q_EMIT navigationSaid(QByteArray::fromStdString(said.text));
 }
 
 Microseconds SimulatedDevice::now() const {
