@@ -18,6 +18,7 @@ struct RegionFeatures {
     double along_range_m = 0.0;   ///< 4 times the deviation of the mask along the line of sight
     double across_range_m = 0.0;  ///< the same across it
     double strength_db = 0.0;     ///< how far its peak stands out from the background
+    double level_db = 0.0;        ///< of its peak
 };
 
 /// A connected patch of the fan that stands out from its background.

@@ -235,12 +235,13 @@ int RegionGrower::saddleLevel(const RegionPixels& a, const RegionPixels& b) cons
 void RegionGrower::merge(std::vector<RegionPixels>& regions) const {
     const double gap = params_.merge_gap_m / picture_.pixel_m + 1.0;  // neighbours are one pixel apart without a gap
     const double distance = params_.merge_distance_m / picture_.pixel_m;
-    const int saddle = levelsFromDb(params_.merge_saddle_db);
+    const int saddle = levelsFromDb(params_.merge_saddle_db), drop = levelsFromDb(params_.merge_peak_drop_db);
     std::vector<Extent> extents;
     for (const RegionPixels& region : regions) extents.push_back(extentOf(region));
     for (std::size_t i = 0; i < regions.size(); ++i) {
         for (std::size_t j = i + 1; j < regions.size(); ++j) {
             const int lower_peak = std::min(regions[i].peak.level, regions[j].peak.level);
+            if (std::abs(regions[i].peak.level - regions[j].peak.level) > drop) continue;
             const Extent &a = extents[i], &b = extents[j];
             const bool near = squaredDistance(a.row, a.column, b.row, b.column) <= distance * distance;
             if (!near && !within(regions[i], a, regions[j], b, gap)) continue;

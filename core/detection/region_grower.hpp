@@ -18,6 +18,7 @@ struct RegionGrowerParams {
     double merge_gap_m = 0.4;
     double merge_distance_m = 1.5;
     double merge_saddle_db = 8.0;
+    double merge_peak_drop_db = 12.0;
     int min_pixels = 6;
     double max_area_m2 = 8.0;
     double reseed_contrast_db = 10.0;
@@ -42,6 +43,8 @@ struct Described<RegionGrowerParams> {
               "Regions whose centres are closer than this are one, if the saddle allows"},
         Field{&P::merge_saddle_db, "merge_saddle_db", "dB", 0, 30,
               "Between merged regions the level stays within this of the lower peak"},
+        Field{&P::merge_peak_drop_db, "merge_peak_drop_db", "dB", 0, 80,
+              "… and their peaks differ by no more: what is fainter is a wake, a ghost or a side lobe, not the same thing"},
         Field{&P::min_pixels, "min_pixels", "pixels", 1, 200, "Smaller regions are dropped"},
         Field{&P::max_area_m2, "max_area_m2", "m²", 0.1, 500, "Larger regions are clutter masses, not targets"},
         Field{&P::reseed_contrast_db, "reseed_contrast_db", "dB", 3, 40,

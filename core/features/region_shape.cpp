@@ -105,6 +105,7 @@ Region measureRegion(const RegionPixels& region, const FanImage& picture, Timest
     measured.features.moment = momentFeature(secondInvariant(secondMoments(region.pixels), region.pixels.size()));
     measured.peak_db = region.peak.level / levels_per_db;
     measured.mean_db = levels / n / levels_per_db;
+    measured.features.level_db = measured.peak_db;
     measured.contrast_db = measured.features.strength_db = excess / levels_per_db;
     measured.pixels = static_cast<int>(region.pixels.size());
     measured.clipped_fraction = clipped / n;

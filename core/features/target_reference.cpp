@@ -12,6 +12,7 @@ namespace {
 // Half the width of a Gaussian beam's echo on the contour Δ = 12 dB below its peak, in beam widths: √(Δ/6.02)/2.
 constexpr double contour_factor = 1.41;
 constexpr double strength_left_out_db = 1000.0;
+constexpr int averaged_looks = 6;
 constexpr double least_fill = 0.2, greatest_fill = 2.0;
 
 double footprintAcross(const EchoGeometry& geometry) {
@@ -42,7 +43,8 @@ TargetReference::Extent TargetReference::own(const RegionFeatures& seen, const E
             .across_scale = std::min(1.0, seen.across_range_m / across),
             .along_scale = std::min(1.0, seen.along_range_m / along),
             .fill = std::clamp(seen.area_m2 / ellipse, least_fill, greatest_fill),
-            .strength_db = seen.strength_db};
+            .strength_db = seen.strength_db,
+            .level_db = seen.level_db};
 }
 
 RegionFeatures TargetReference::look(const Extent& extent, const EchoGeometry& geometry) {
@@ -55,13 +57,16 @@ RegionFeatures TargetReference::look(const Extent& extent, const EchoGeometry& g
     const double root = (elongation - 1.0 / elongation) / (4.0 * std::numbers::pi * extent.fill);
     features.moment = momentFeature(root * root);
     features.strength_db = extent.strength_db;
+    features.level_db = extent.level_db;
     return features;
 }
 
 RegionFeatures TargetReference::expected(const EchoGeometry& geometry) const { return look(now_, geometry); }
 
 void TargetReference::learn(const RegionFeatures& seen, const EchoGeometry& geometry, double share) {
+    if (share <= 0) return;
     const RegionFeatures now = look(now_, geometry), first = look(first_, geometry);
+    if (looks_ < averaged_looks) return average(seen, now, geometry);
     RegionFeatures next;
     next.across_range_m = learned(now.across_range_m, seen.across_range_m, first.across_range_m, share);
     next.along_range_m = learned(now.along_range_m, seen.along_range_m, first.along_range_m, share);
@@ -69,16 +74,38 @@ void TargetReference::learn(const RegionFeatures& seen, const EchoGeometry& geom
     next.area_m2 = fill * ellipseArea(next.across_range_m, next.along_range_m);
     // Strength is followed faster than shape: it changes with aspect and range.
     next.strength_db = now_.strength_db + 3.0 * share * (seen.strength_db - now_.strength_db);
+    next.level_db = now_.level_db + 3.0 * share * (seen.level_db - now_.level_db);
     now_ = own(next, geometry);
 }
 
+void TargetReference::average(const RegionFeatures& seen, const RegionFeatures& now, const EchoGeometry& geometry) {
+    const double part = 1.0 / ++looks_;
+    const auto mean = [&](double RegionFeatures::*what) { return now.*what + part * (seen.*what - now.*what); };
+    RegionFeatures next;
+    next.area_m2 = mean(&RegionFeatures::area_m2);
+    next.across_range_m = mean(&RegionFeatures::across_range_m);
+    next.along_range_m = mean(&RegionFeatures::along_range_m);
+    next.strength_db = mean(&RegionFeatures::strength_db);
+    next.level_db = mean(&RegionFeatures::level_db);
+    first_ = now_ = own(next, geometry);
+}
+
 double likeness(const RegionFeatures& seen, const RegionFeatures& expected, const LikenessParams& params) {
-    const double area = std::log(seen.area_m2 / expected.area_m2) / params.area_sigma;
+    const double area = (params.reference == ReferenceForm::Scaled
+                             ? std::log(seen.area_m2 / expected.area_m2)
+                             : (seen.area_m2 - expected.area_m2) / expected.area_m2) /
+                        params.area_sigma;
     const double moment = (seen.moment - expected.moment) / params.moment_sigma;
     const double area_score = std::exp(-0.5 * area * area);
     const double moment_score = std::exp(-0.5 * moment * moment);
     if (params.fusion == Fusion::Product) return area_score * moment_score;
     return params.area_share * area_score + (1 - params.area_share) * moment_score;
+}
+
+double levelLikeness(double level_db, double expected_db, const LikenessParams& params) {
+    if (params.level_sigma_db >= strength_left_out_db) return 1.0;
+    const double off = (level_db - expected_db) / params.level_sigma_db;
+    return std::exp(-0.5 * off * off);
 }
 
 double strengthRatio(double strength_db, double expected_db, double faintest_db, double clutter_excess_db,

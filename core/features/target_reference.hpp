@@ -6,11 +6,14 @@
 namespace echotrail {
 
 enum class Fusion { Product, Sum };
+enum class ReferenceForm { Scaled, FirstLook };
 
 struct LikenessParams {
     double area_sigma = 0.7;
     double moment_sigma = 0.6;
     double strength_sigma_db = 8.0;
+    double level_sigma_db = 10.0;
+    ReferenceForm reference = ReferenceForm::Scaled;
     Fusion fusion = Fusion::Product;
     double area_share = 0.5;
     double likeness_floor = 0.05;
@@ -32,6 +35,13 @@ struct Described<LikenessParams> {
               "Deviation of the moment feature that still counts as alike"},
         Field{&P::strength_sigma_db, "strength_sigma_db", "dB", 1, 1000,
               "Deviation of the echo's strength that still counts as alike; 1000 leaves strength out"},
+        Field{&P::level_sigma_db, "level_sigma_db", "dB", 1, 1000,
+              "Deviation of the echo's own level that still counts as alike; 1000 leaves it out"},
+        ChoiceField<P, ReferenceForm, 2>{
+            &P::reference,
+            "reference",
+            {"scaled", "first_look"},
+            "What a region is compared with: the target as it would look at this range, or its first region as it was"},
         ChoiceField<P, Fusion, 2>{&P::fusion, "fusion", {"product", "sum"}, "How area and moment scores are combined"},
         Field{&P::area_share, "area_share", "", 0, 1, "Share of the area in the sum; the moment has the rest"},
         Field{&P::likeness_floor, "likeness_floor", "", 0, 1,
@@ -62,8 +72,9 @@ public:
     TargetReference(const RegionFeatures& seen, const EchoGeometry& geometry);
 
     RegionFeatures expected(const EchoGeometry& geometry) const;
-    /// Learns from a good look: widths change by 5 % at most at a time, and never beyond twice or half of what the
-    /// first look would be at this range.
+    /// Learns from a good look. The first few are averaged: the very first may have been half a look. From then on
+    /// widths change by 5 % at most at a time, and never beyond twice or half of what that average would be at this
+    /// range.
     void learn(const RegionFeatures& seen, const EchoGeometry& geometry, double share);
 
 private:
@@ -72,17 +83,24 @@ private:
         double across_scale = 1.0, along_scale = 1.0;  ///< of the footprint, at most 1
         double fill = 1.0;                             ///< area relative to the ellipse of the same widths
         double strength_db = 0.0;
+        double level_db = 0.0;
     };
+    void average(const RegionFeatures& seen, const RegionFeatures& now, const EchoGeometry& geometry);
     static Extent own(const RegionFeatures& seen, const EchoGeometry& geometry);
     static RegionFeatures look(const Extent& extent, const EchoGeometry& geometry);
     Extent first_;
     Extent now_;
+    int looks_ = 1;
 };
 
 /// Likeness of two regions, 0…1: Gaussians of the difference in area and in the moment feature (method card, section
 /// f), as a product or weighted sum. The area's difference is that of the logarithms, which for small ones is the
-/// relative difference: a target seen twice as large is then as strange as one seen half as large.
+/// relative difference: a target seen twice as large is then as strange as one seen half as large. Against the first
+/// look it is the relative difference, as published.
 double likeness(const RegionFeatures& seen, const RegionFeatures& expected, const LikenessParams& params);
+
+/// Likeness of two echo levels, 0…1. Where level is left out, 1.
+double levelLikeness(double level_db, double expected_db, const LikenessParams& params);
 
 /// How much better a region's strength fits the target than clutter: N(strength; expected, σ) over the exponential
 /// density of clutter strengths, which begins at `faintest_db` and has mean excess `clutter_excess_db`. An addition to

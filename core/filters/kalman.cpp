@@ -2,6 +2,9 @@
 
 #include <Eigen/LU>
 
+#include <utility>
+#include <vector>
+
 namespace echotrail {
 
 KalmanUpdate kalmanUpdate(const GaussianState& prior, const Eigen::Vector2d& position_m,
@@ -18,6 +21,21 @@ KalmanUpdate kalmanUpdate(const GaussianState& prior, const Eigen::Vector2d& pos
     const Eigen::Matrix4d joseph = kept * prior.covariance * kept.transpose() + gain * covariance_m2 * gain.transpose();
     update.state.covariance = 0.5 * (joseph + joseph.transpose());
     return update;
+}
+
+GaussianState associationUpdate(const GaussianState& prior, double none,
+                                std::span<const PositionCandidate> candidates) {
+    std::vector<std::pair<double, GaussianState>> parts{{none, prior}};
+    for (const PositionCandidate& candidate : candidates)
+        parts.emplace_back(candidate.probability,
+                           kalmanUpdate(prior, candidate.position_m, candidate.covariance_m2).state);
+    GaussianState mixed{.time = prior.time, .covariance = Eigen::Matrix4d::Zero()};
+    for (const auto& [probability, part] : parts) mixed.mean += probability * part.mean;
+    for (const auto& [probability, part] : parts) {
+        const Eigen::Vector4d off = part.mean - mixed.mean;
+        mixed.covariance += probability * (part.covariance + off * off.transpose());
+    }
+    return mixed;
 }
 
 }  // namespace echotrail

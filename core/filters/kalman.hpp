@@ -2,6 +2,8 @@
 
 #include "core/data/track.hpp"
 
+#include <span>
+
 namespace echotrail {
 
 /// What a measured position did to a state.
@@ -16,5 +18,16 @@ struct KalmanUpdate {
 /// positive definite; in Joseph's form, whose result stays symmetric and positive semidefinite under rounding.
 KalmanUpdate kalmanUpdate(const GaussianState& prior, const Eigen::Vector2d& position_m,
                           const Eigen::Matrix2d& covariance_m2);
+
+/// One of several measured positions that may be the object's.
+struct PositionCandidate {
+    Eigen::Vector2d position_m{0, 0};
+    Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Identity();
+    double probability = 0.0;  ///< that this one is; with `none` they add up to 1
+};
+
+/// Probabilistic data association (Bar-Shalom & Tse 1975): the Kalman updates with each candidate and the prior itself
+/// (probability `none`), mixed and replaced by the Gaussian of the same mean and covariance.
+GaussianState associationUpdate(const GaussianState& prior, double none, std::span<const PositionCandidate> candidates);
 
 }  // namespace echotrail

@@ -19,4 +19,12 @@ GaussianState predicted(const GaussianState& state, Timestamp to, double q) {
             .covariance = transition * state.covariance * transition.transpose() + noise};
 }
 
+GaussianState wandered(const GaussianState& state, Timestamp to, double sigma) {
+    GaussianState next = state;
+    next.time = to;
+    next.covariance.topLeftCorner<2, 2>().diagonal().array() +=
+        sigma * sigma * std::abs(secondsBetween(state.time, to));
+    return next;
+}
+
 }  // namespace echotrail

@@ -10,4 +10,8 @@ namespace echotrail {
 /// finished, not seen): the same model run backwards gives the noise of |Δt|, its off-diagonal terms negated.
 GaussianState predicted(const GaussianState& state, Timestamp to, double q);
 
+/// The state at time `to` where only the place is followed: it walks at random, its deviation growing by `sigma`
+/// (m/√s) on each axis. This is the published state (method card, section f, state P); the velocity stays as it was.
+GaussianState wandered(const GaussianState& state, Timestamp to, double sigma);
+
 }  // namespace echotrail

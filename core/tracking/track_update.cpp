@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <tuple>
 
 // What one pass of the beam does to the tracks it went over.
 namespace echotrail {
@@ -15,6 +17,16 @@ constexpr double gate_sigmas = 3.0;
 constexpr double clutter_score_memory = 0.9;
 constexpr double looked_at_coverage = 0.5;  // the expected place itself was passed over
 constexpr std::size_t longest_history = 64;
+// Where a ghost lies behind what it is a ghost of, and by how much it is weaker at least (method card, section d).
+constexpr double ghost_near_m = 0.2, ghost_far_m = 4.0, ghost_weaker_db = 3.0, ghost_s = 2.0;
+constexpr double sure_association = 0.9, least_likeness_to_learn = 0.1;
+constexpr double real_claim = 0.2;  // of the strongest claim to a region: less is no competition
+constexpr double one_place = 9.0;  // squared normalised distance
+
+bool areOnePlace(const Cue& a, const Cue& b) {
+    const Eigen::Vector2d apart = a.position_m - b.position_m;
+    return apart.dot((a.covariance_m2 + b.covariance_m2).inverse() * apart) <= one_place;
+}
 
 }  // namespace
 
@@ -39,7 +51,9 @@ EchoGeometry Tracker::geometryAt(double range_m) const {
 
 Tracker::Pairing Tracker::pair(const FollowedTrack& followed, const Region& region) const {
     Pairing pairing;
-    if (region.clutter_mass || region.time <= followed.track.estimate.time) return pairing;
+    if (region.time <= followed.track.estimate.time) return pairing;
+    if (params_.method.likelihood == LikelihoodForm::Lookup) return pairAsPublished(followed, region);
+    if (region.clutter_mass) return pairing;
     const GaussianState prior = predict(followed, region.time);
     const Eigen::Vector2d innovation = region.position_m - prior.mean.head<2>();
     const double since_seen = secondsBetween(followed.track.last_seen, region.time);
@@ -54,14 +68,44 @@ Tracker::Pairing Tracker::pair(const FollowedTrack& followed, const Region& regi
     pairing.innovation_m = innovation.norm();
     pairing.density = std::exp(-0.5 * pairing.nis) / (2.0 * std::numbers::pi * std::sqrt(total.determinant()));
     pairing.cue.position_m = region.position_m;
-    const RegionFeatures expected = followed.reference.expected(geometryAt(region.range_m));
+    const RegionFeatures expected = expectedFeatures(followed, region.range_m);
     pairing.likeness = likeness(region.features, expected, params_.likeness);
+    pairing.likeness *= levelLikeness(region.features.level_db, expected.level_db, params_.likeness);
     pairing.strength_ratio = strengthRatio(region.contrast_db, expected.strength_db, beam_.faintest_db,
                                            clutter_excess_db_, params_.likeness);
     return pairing;
 }
 
+RegionFeatures Tracker::expectedFeatures(const FollowedTrack& followed, double range_m) const {
+    return params_.likeness.reference == ReferenceForm::Scaled ? followed.reference.expected(geometryAt(range_m))
+                                                               : followed.first_features;
+}
+
+void Tracker::remember(const std::vector<Region>& regions) {
+    for (const Region& region : regions) {
+        recent_.push_back(region);
+        recent_.back().outline_m.clear();
+    }
+    while (!recent_.empty() && secondsBetween(recent_.front().time, recent_.back().time) > 2.0 * ghost_s)
+        recent_.pop_front();
+}
+
+/// Whether another region explains this one: a copy by way of bottom or surface comes from the same bearing, a little
+/// later, and weaker.
+bool Tracker::isGhost(const Region& region) const {
+    if (params_.tracking.ghost_weight >= 1.0) return false;
+    return std::any_of(recent_.begin(), recent_.end(), [&](const Region& other) {
+        const double beyond = region.range_m - other.range_m;
+        const double apart_m = std::abs(region.bearing - other.bearing) * region.range_m;
+        return !other.clutter_mass && beyond > ghost_near_m && beyond < ghost_far_m &&
+               other.peak_db - region.peak_db > ghost_weaker_db && apart_m < beam_.beam_width_rad * region.range_m &&
+               std::abs(secondsBetween(other.time, region.time)) < ghost_s;
+    });
+}
+
 double Tracker::worth(const Pairing& pairing) const {
+    if (params_.method.likelihood == LikelihoodForm::Position)
+        return params_.tracking.detection_probability / clutterDensity();
     // An echo that is there was detected, however little of the place the beam covered.
     const double floor = params_.likeness.likeness_floor;
     return params_.tracking.detection_probability / clutterDensity() * (pairing.likeness + floor) /
@@ -71,6 +115,10 @@ double Tracker::worth(const Pairing& pairing) const {
 /// Joint association of the cluster, then each track's own update (method card, sections f and g).
 void Tracker::processCluster(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
                              std::vector<TrackLook>& looks) {
+    if (params_.method.likelihood == LikelihoodForm::Lookup) {
+        for (const std::size_t m : members) processAsPublished(followed_[m], regions, looks);
+        return;
+    }
     std::vector<std::vector<Pairing>> pairings(members.size());
     AssociationProblem problem;
     for (std::size_t m = 0; m < members.size(); ++m) {
@@ -81,13 +129,15 @@ void Tracker::processCluster(const std::vector<std::size_t>& members, const std:
         for (const std::size_t j : regions) {
             Pairing pairing = pair(followed, pending_[j].region);
             pairing.cue.weight = worth(pairing);
+            if (isGhost(pending_[j].region)) pairing.cue.weight *= params_.tracking.ghost_weight;
             weights.push_back(pairing.gated ? existence * pairing.cue.weight * pairing.density : 0.0);
             pairings[m].push_back(pairing);
         }
         problem.miss.push_back(1.0 - existence * detection);
     }
-    const Association joint = associate(problem);
     const Association alone = associateAlone(problem);
+    Association joint = params_.method.sharing == Sharing::Joint ? associate(problem) : alone;
+    if (params_.method.sharing == Sharing::Joint) settleTies(members, joint);
     for (std::size_t k = 0; k < regions.size(); ++k) {
         double claimed = 0, claimed_by_known = 0;
         for (std::size_t m = 0; m < members.size(); ++m) {
@@ -107,6 +157,42 @@ void Tracker::processCluster(const std::vector<std::size_t>& members, const std:
                      alone.probability[m], alone.none[m], looks);
 }
 
+/// Where several tracks claim one region and none prevails, it is the senior's: the operator's target, then a proven
+/// track, then the older. Otherwise two tracks on one object would starve each other; so the younger one goes.
+void Tracker::settleTies(const std::vector<std::size_t>& members, Association& joint) const {
+    const auto isSenior = [&](std::size_t a, std::size_t b) {
+        const auto rank = [&](std::size_t m) {
+            const Track& track = followed_[members[m]].track;
+            return std::tuple(!track.target, track.state == TrackState::Tentative || track.state == TrackState::Lost,
+                              track.id);
+        };
+        return rank(a) < rank(b);
+    };
+    const std::size_t regions = joint.probability.empty() ? 0 : joint.probability.front().size();
+    for (std::size_t k = 0; k < regions; ++k) {
+        double claimed = 0, highest = 0;
+        for (std::size_t m = 0; m < members.size(); ++m) {
+            claimed += joint.probability[m][k];
+            highest = std::max(highest, joint.probability[m][k]);
+        }
+        if (claimed < 0.5) continue;
+        std::optional<std::size_t> senior;
+        for (std::size_t m = 0; m < members.size(); ++m)
+            if (joint.probability[m][k] >= real_claim * highest && (!senior || isSenior(m, *senior))) senior = m;
+        for (std::size_t m = 0; m < members.size(); ++m) {
+            double& claim = joint.probability[m][k];
+            if (m == *senior) {
+                const double gained = std::min(claimed - claim, joint.none[m]);
+                claim += gained;
+                joint.none[m] -= gained;
+            } else {
+                joint.none[m] += claim;
+                claim = 0;
+            }
+        }
+    }
+}
+
 /// One Gaussian-particle-filter update with the regions of the pass, each weighed down by how much of it the other
 /// tracks of the cluster claim.
 void Tracker::completePass(FollowedTrack& followed, const std::vector<std::size_t>& regions,
@@ -115,34 +201,51 @@ void Tracker::completePass(FollowedTrack& followed, const std::vector<std::size_
     const double coverage = followed.pass.coverage();
     const double detection = params_.tracking.detection_probability * coverage;
     const auto share = [](double together, double single) { return single > 0 ? together / single : 0.0; };
-    std::vector<Cue> cues;
     std::size_t best = 0;
     double echo_probability = 0;
     for (std::size_t k = 0; k < regions.size(); ++k) {
-        if (!pairings[k].gated) continue;
-        Cue cue = pairings[k].cue;
-        cue.weight *= share(joint[k], alone[k]);
-        if (cue.weight > 0) cues.push_back(cue);
         echo_probability += joint[k];
         if (joint[k] > joint[best]) best = k;
     }
     const bool echo = echo_probability > 0.5;
+    std::vector<Cue> cues;
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        if (!pairings[k].gated) continue;
+        Cue cue = pairings[k].cue;
+        // One Gaussian cannot stand for two places: its mean would lie where nothing is. The likelier place is taken.
+        if (echo && params_.method.likelihood == LikelihoodForm::Soft && !areOnePlace(cue, pairings[best].cue)) continue;
+        cue.weight *= share(joint[k], alone[k]);
+        if (cue.weight > 0) cues.push_back(cue);
+    }
     const Timestamp time = echo ? pending_[regions[best]].region.time
                                 : std::max(followed.pass.nearestTime(), followed.track.estimate.time);
     const GaussianState prior = predict(followed, time);
     GaussianParticleFilter::Posterior posterior{prior, 1.0 - detection, 0.0, true};
+    const double miss_weight = (1.0 - detection) * share(joint_none, alone_none);
     if (!cues.empty())
-        posterior =
-            filter_.update(prior, (1.0 - detection) * share(joint_none, alone_none), cues,
-                           RandomStream(seed_, followed.track.id, followed.updates++), &followed.track.particles);
-    const bool seen = echo && !posterior.missed;
+        posterior = params_.method.likelihood == LikelihoodForm::Position
+                        ? updateByPlace(prior, miss_weight, cues)
+                        : filter_.update(prior, miss_weight, cues,
+                                         RandomStream(seed_, followed.track.id, followed.updates++),
+                                         &followed.track.particles);
+    const Region* region = echo && !posterior.missed ? &pending_[regions[best]].region : nullptr;
+    Pairing taken = region ? pairings[best] : Pairing{};
+    if (region) taken.probability = joint[best];
+    concludePass(followed, posterior, time, region, taken, !cues.empty(), looks);
+}
+
+void Tracker::concludePass(FollowedTrack& followed, const GaussianParticleFilter::Posterior& posterior,
+                           Timestamp time, const Region* region, const Pairing& pairing, bool had_cues,
+                           std::vector<TrackLook>& looks) {
+    const bool seen = region != nullptr;
+    const double coverage = followed.pass.coverage();
     const LookResult result = seen                             ? LookResult::Seen
                               : coverage >= looked_at_coverage ? LookResult::Missed
                                                                : LookResult::NotLookedAt;
     // A place that was not looked at keeps its old estimate: it is predicted from there the next time, too.
     if (!posterior.missed || result == LookResult::Missed) followed.track.estimate = posterior.state;
-    if (cues.empty() && result == LookResult::Missed) followed.track.particles = {};
-    if (seen) takeEcho(followed, pending_[regions[best]].region, pairings[best]);
+    if (!had_cues && result == LookResult::Missed) followed.track.particles = {};
+    if (seen) takeEcho(followed, *region, pairing);
     const bool was_lost = followed.track.state == TrackState::Lost;
     const bool was_confirmed = followed.track.state != TrackState::Tentative;
     advanceLife(followed.track, result, posterior.evidence, time, params_.life);
@@ -152,7 +255,7 @@ void Tracker::completePass(FollowedTrack& followed, const std::vector<std::size_
 
     const bool still_lost = was_lost && followed.track.state == TrackState::Lost;
     if (result != LookResult::NotLookedAt && !still_lost) {
-        const Pose& head = seen ? pending_[regions[best]].region.head : followed.pass.nearestHead();
+        const Pose& head = seen ? region->head : followed.pass.nearestHead();
         looks.push_back(lookOf(followed, time, seen, head));
         auto& history = followed.track.history;
         if (history.size() == longest_history) history.erase(history.begin());
@@ -169,10 +272,13 @@ void Tracker::takeEcho(FollowedTrack& followed, const Region& region, const Pair
     track.nis = pairing.nis;
     track.innovation_m = pairing.innovation_m;
     track.seen_features = region.features;
-    const bool trusted = track.score > params_.likeness.learning_score && region.clipped_fraction < 0.2 &&
+    const bool alike =
+        track.score > params_.likeness.learning_score ||
+        (pairing.probability > sure_association && track.score > least_likeness_to_learn);
+    const bool trusted = alike && region.clipped_fraction < 0.2 &&
                          track.particles.effective > 0.2 * static_cast<double>(track.particles.weight.size());
     if (trusted) followed.reference.learn(region.features, geometry, params_.likeness.reference_learning);
-    track.expected_features = followed.reference.expected(geometry);
+    track.expected_features = expectedFeatures(followed, region.range_m);
 }
 
 /// A lost track comes back when two looks running are much like it.

@@ -17,6 +17,7 @@ constexpr double least_excess_db = 2.0, strongest_clutter_db = 20.0;
 constexpr double widest_interest = 0.1;    // of the range scale, to each side
 constexpr double vaguest_tentative = 0.1;  // deviation of an unproven track, in range scales
 constexpr int sweeps_to_merge = 3;
+constexpr double pick_db_per_m = 3.0;  // a region further from the pick has to be so much stronger
 
 }  // namespace
 
@@ -32,6 +33,7 @@ void Tracker::setParams(const Params& params) {
 
 void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions, const BeamStillOn& still_on,
                      std::vector<TrackLook>& looks) {
+    remember(regions);
     for (const Region& region : regions) pending_.push_back({region});
     if (beam.turned_round) {
         for (FollowedTrack& followed : followed_) followed.pass.breakOff();
@@ -76,13 +78,19 @@ void Tracker::giveUpUnseen(std::vector<TrackLook>& looks) {
 }
 
 void Tracker::finish(const std::vector<Region>& regions, std::vector<TrackLook>& looks) {
+    remember(regions);
     for (const Region& region : regions) pending_.push_back({region});
     for (FollowedTrack& followed : followed_) followed.pass.breakOff();
     settle([](double, double) { return false; }, looks);
 }
 
 GaussianState Tracker::predict(const FollowedTrack& followed, Timestamp time) const {
-    GaussianState state = predicted(followed.track.estimate, time, params_.tracking.process_noise);
+    const GaussianState& last = followed.track.estimate;
+    GaussianState state = params_.method.motion == MotionForm::ConstantVelocity
+                              ? predicted(last, time, params_.tracking.process_noise)
+                              : wandered(last, time, params_.method.random_walk_sigma);
+    if (params_.method.predicted_covariance == PredictedCovariance::AsPrinted)
+        state.covariance = followed.first_covariance;
     if (!beam_.navigation_known) {
         // Nobody tells how the vehicle turns, so everything may swing about it: more the further off it is.
         const Eigen::Vector2d sight = state.mean.head<2>() - Eigen::Vector2d(beam_.head.north_m, beam_.head.east_m);
@@ -181,7 +189,10 @@ void Tracker::learnClutter(const Region& region) {
 
 bool Tracker::mayBeBorn(const Region& region) const {
     if (region.clutter_mass || region.multipath || region.only_expected ||
-        region.beam_hits < params_.tracking.min_beam_hits)
+        region.beam_hits < params_.tracking.min_beam_hits || isGhost(region))
+        return false;
+    if (params_.method.births == Births::Picked &&
+        !(designation_ && (region.position_m - designation_->position_m).norm() < designation_->radius_m))
         return false;
     return std::none_of(followed_.begin(), followed_.end(), [&](const FollowedTrack& followed) {
         const GaussianState state = predict(followed, region.time);
@@ -203,7 +214,8 @@ void Tracker::bear(const Region& region, std::vector<TrackLook>& looks) {
             return;
         followed_.erase(weakest);
     }
-    FollowedTrack born{.reference = TargetReference(region.features, geometryAt(region.range_m))};
+    FollowedTrack born{.reference = TargetReference(region.features, geometryAt(region.range_m)),
+                       .first_features = region.features};
     Track& track = born.track;
     track.id = next_id_++;
     track.existence = params_.life.birth_existence;
@@ -215,9 +227,10 @@ void Tracker::bear(const Region& region, std::vector<TrackLook>& looks) {
     track.estimate.covariance.setZero();
     track.estimate.covariance.diagonal() << position * position, position * position, speed * speed, speed * speed;
     track.estimate.covariance.topLeftCorner<2, 2>() += measurementCovariance(region);
+    born.first_covariance = track.estimate.covariance;
     track.score = 1.0;
     track.seen_features = region.features;
-    track.expected_features = born.reference.expected(geometryAt(region.range_m));
+    track.expected_features = expectedFeatures(born, region.range_m);
     followed_.push_back(std::move(born));
     applyDesignation();
     looks.push_back(lookOf(followed_.back(), region.time, true, region.head));
@@ -235,21 +248,41 @@ void Tracker::clearDesignation() {
     for (FollowedTrack& followed : followed_) followed.track.target = false;
 }
 
+/// The first thing near the pick becomes the target. While the beam is still about the place that may change: a wake
+/// or a ghost can show before the object itself does, and the strongest is meant. Of proven tracks the nearest is.
 void Tracker::applyDesignation() {
     if (!designation_) return;
-    FollowedTrack* nearest = nullptr;
-    double nearest_m = designation_->radius_m;
+    FollowedTrack* best = nullptr;
+    double best_worth = -1e9;
     for (FollowedTrack& followed : followed_) {
+        if (followed.track.state == TrackState::Lost) continue;
         const GaussianState state = predict(followed, std::max(beam_.time, followed.track.estimate.time));
         const double distance = (state.mean.head<2>() - designation_->position_m).norm();
-        if (followed.track.state == TrackState::Lost || distance > nearest_m) continue;
-        nearest = &followed;
-        nearest_m = distance;
+        if (distance > designation_->radius_m) continue;
+        const bool proven = followed.track.state != TrackState::Tentative;
+        const double worth =
+            proven ? 1000.0 - distance : followed.track.seen_features.strength_db - pick_db_per_m * distance;
+        if (worth <= best_worth) continue;
+        best = &followed;
+        best_worth = worth;
     }
-    if (!nearest) return;
-    nearest->track.target = true;
-    nearest->track.existence = std::max(nearest->track.existence, params_.life.picked_existence);
-    designation_.reset();
+    if (!best) return;
+    for (FollowedTrack& followed : followed_)
+        if (&followed != best && followed.track.target) {
+            followed.track.target = false;
+            followed.track.existence = std::min(followed.track.existence, params_.life.birth_existence);
+        }
+    best->track.target = true;
+    best->track.existence = std::max(best->track.existence, params_.life.picked_existence);
+    const bool proven = best->track.state != TrackState::Tentative;
+    if (proven || !isBeamNear(designation_->position_m, designation_->radius_m)) designation_.reset();
+}
+
+bool Tracker::isBeamNear(const Eigen::Vector2d& place_m, double radius_m) const {
+    if (beam_.turned_round) return false;
+    const Eigen::Vector2d way = place_m - Eigen::Vector2d(beam_.head.north_m, beam_.head.east_m);
+    const double half_width = std::atan2(radius_m, std::max(way.norm(), 0.1)) + beam_.beam_width_rad + beam_.step_rad;
+    return std::abs(beam_.azimuth - Bearing::radians(std::atan2(way.y(), way.x()))) < half_width;
 }
 
 void Tracker::endSweep() {

@@ -6,9 +6,11 @@
 #include "core/filters/gaussian_particle_filter.hpp"
 #include "core/tracking/association.hpp"
 #include "core/tracking/beam_pass.hpp"
+#include "core/tracking/method.hpp"
 #include "core/tracking/track_life.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -27,6 +29,7 @@ struct TrackerParams {
     double detection_probability = 0.9;
     double clutter_per_sweep = 3.0;
     int min_beam_hits = 2;
+    double ghost_weight = 0.02;
     double merge_tracks_m = 1.0;
     int max_tracks = 16;
 };
@@ -54,6 +57,8 @@ struct Described<TrackerParams> {
         Field{&P::clutter_per_sweep, "clutter_per_sweep", "regions", 0.1, 500,
               "Regions in a sweep that are nobody's echo, before it is learned"},
         Field{&P::min_beam_hits, "min_beam_hits", "pings", 1, 10, "Pings that must meet a region to start a track"},
+        Field{&P::ghost_weight, "ghost_weight", "", 0.001, 1,
+              "Weight of a region that a stronger one just before it explains as its echo by way of bottom or surface"},
         Field{&P::merge_tracks_m, "merge_tracks_m", "m", 0, 10, "Tracks closer than this for three sweeps are one"},
         Field{&P::max_tracks, "max_tracks", "", 1, 64, "Tracks followed at the same time"}};
 };
@@ -68,6 +73,8 @@ struct PendingRegion {
 struct FollowedTrack {
     Track track;
     TargetReference reference;
+    RegionFeatures first_features;  ///< of the region it began with
+    Eigen::Matrix4d first_covariance = Eigen::Matrix4d::Identity();
     BeamPass pass;
     double expected_range_m = 0.0;  ///< at the last ping
     std::uint64_t updates = 0;      ///< names the random stream of the next one
@@ -84,6 +91,7 @@ struct FollowedTrack {
 class Tracker {
 public:
     struct Params {
+        MethodParams method;
         TrackerParams tracking;
         LifeParams life;
         LikenessParams likeness;
@@ -125,6 +133,7 @@ private:
         double density = 0.0;  ///< N(innovation; 0, S)
         double nis = 0.0;
         double innovation_m = 0.0;
+        double probability = 0.0;  ///< that the region is the track's echo
         Cue cue;
     };
     struct Designation {
@@ -135,7 +144,10 @@ private:
     GaussianState predict(const FollowedTrack& followed, Timestamp time) const;
     Eigen::Matrix2d measurementCovariance(const Region& region) const;
     EchoGeometry geometryAt(double range_m) const;
+    void remember(const std::vector<Region>& regions);
+    bool isGhost(const Region& region) const;
     Pairing pair(const FollowedTrack& followed, const Region& region) const;
+    Pairing pairAsPublished(const FollowedTrack& followed, const Region& region) const;
     /// What the region's being the track's echo is worth, against its being clutter: P_D/λ · likeness · strength, m².
     double worth(const Pairing& pairing) const;
     double halfWidth(const ExpectedPlace& place) const;
@@ -146,9 +158,18 @@ private:
     bool isReady(const FollowedTrack& followed, const BeamStillOn& still_on) const;
     void processCluster(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
                         std::vector<TrackLook>& looks);
+    void settleTies(const std::vector<std::size_t>& members, Association& joint) const;
     void completePass(FollowedTrack& followed, const std::vector<std::size_t>& regions,
                       const std::vector<Pairing>& pairings, const std::vector<double>& joint, double joint_none,
                       const std::vector<double>& alone, double alone_none, std::vector<TrackLook>& looks);
+    void processAsPublished(FollowedTrack& followed, const std::vector<std::size_t>& regions,
+                            std::vector<TrackLook>& looks);
+    GaussianParticleFilter::Posterior updateByPlace(const GaussianState& prior, double miss_weight,
+                                                    const std::vector<Cue>& cues) const;
+    /// What came of a pass, into the track and its looks. `region` is the echo that was taken, if any.
+    void concludePass(FollowedTrack& followed, const GaussianParticleFilter::Posterior& posterior, Timestamp time,
+                      const Region* region, const Pairing& pairing, bool had_cues, std::vector<TrackLook>& looks);
+    RegionFeatures expectedFeatures(const FollowedTrack& followed, double range_m) const;
     void takeEcho(FollowedTrack& followed, const Region& region, const Pairing& pairing);
     void searchAgain(FollowedTrack& followed, LookResult result, Timestamp time);
     TrackLook lookOf(const FollowedTrack& followed, Timestamp time, bool seen, const Pose& head) const;
@@ -157,6 +178,7 @@ private:
     bool mayBeBorn(const Region& region) const;
     void bear(const Region& region, std::vector<TrackLook>& looks);
     void applyDesignation();
+    bool isBeamNear(const Eigen::Vector2d& place_m, double radius_m) const;
     void giveUpUnseen(std::vector<TrackLook>& looks);
     void learnClutter(const Region& region);
     void endSweep();
@@ -168,6 +190,7 @@ private:
     BeamMoment beam_;
     std::vector<FollowedTrack> followed_;
     std::vector<PendingRegion> pending_;
+    std::deque<Region> recent_;  ///< what the beam left lately, claimed or not, without outlines
     std::optional<Designation> designation_;
     int next_id_ = 1;
     std::uint64_t confirmed_ever_ = 0;
@@ -183,7 +206,7 @@ private:
 template <>
 struct Described<Tracker::Params> {
     using P = Tracker::Params;
-    static constexpr auto stages = std::tuple{&P::tracking, &P::life, &P::likeness, &P::filter};
+    static constexpr auto stages = std::tuple{&P::method, &P::tracking, &P::life, &P::likeness, &P::filter};
 };
 
 }  // namespace echotrail

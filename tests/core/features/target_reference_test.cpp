@@ -29,8 +29,23 @@ TEST(TargetReference, PredictsItsOwnLookAndThatAtOtherRanges) {
     }
 }
 
+TEST(TargetReference, AveragesItsFirstLooksForTheVeryFirstMayHaveBeenHalfALook) {
+    TargetReference reference(seen(4.0, 0.3, 5), at(5));
+    for (int i = 0; i < 5; ++i) reference.learn(seen(1.0, 0.3, 5), at(5), 0.1);
+    const double first = seen(4.0, 0.3, 5).across_range_m, later = seen(1.0, 0.3, 5).across_range_m;
+    EXPECT_NEAR(reference.expected(at(5)).across_range_m, (first + 5 * later) / 6, 1e-6);
+}
+
+TEST(TargetReference, LearnsNothingWhereItIsToldNotTo) {
+    TargetReference reference(seen(1.0, 0.3, 5), at(5));
+    const double before = reference.expected(at(5)).area_m2;
+    for (int i = 0; i < 20; ++i) reference.learn(seen(4.0, 0.3, 5), at(5), 0.0);
+    EXPECT_EQ(reference.expected(at(5)).area_m2, before);
+}
+
 TEST(TargetReference, LearnsSlowlyAndNeverBeyondTwiceTheFirst) {
     TargetReference reference(seen(1.0, 0.3, 5), at(5));
+    for (int i = 0; i < 5; ++i) reference.learn(seen(1.0, 0.3, 5), at(5), 1.0);
     const double before = reference.expected(at(5)).area_m2;
     reference.learn(seen(4.0, 0.3, 5), at(5), 1.0);
     EXPECT_LT(reference.expected(at(5)).area_m2, 1.06 * before);
