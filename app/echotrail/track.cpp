@@ -46,6 +46,7 @@ ExitCode track(const TrackArguments& arguments) {
     }
 
     TrackRun run(*options, std::move(log), std::move(tracks), std::move(feed));
+    if (const auto served = run.serve(); !served) return fail(ExitCode::Failed, served.error());
     run.start();
     const std::string reason = runEventLoop(options->duration_s);
     const auto summary = run.finish(reason.empty() ? "the tracks cannot be written" : reason);

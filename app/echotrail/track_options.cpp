@@ -1,5 +1,6 @@
 #include "track_options.hpp"
 
+#include "app/io/console_server.hpp"
 #include "app/io/recording_path.hpp"
 
 namespace echotrail {
@@ -19,6 +20,9 @@ void addTrackOptions(CLI::App& command, TrackArguments& a) {
                        "Motion controller: udp://HOST:PORT or tcp://HOST:PORT gets the target as JSON lines at every "
                        "update and at 10 Hz between; with ?format=nmea as TTM sentences, and TLL where GGA or RMC "
                        "say where on earth");
+    command.add_option("--serve", a.serve,
+                       "Consoles are served at tcp://127.0.0.1:PORT (0: any free port); only this machine's own "
+                       "addresses are taken");
     addRunOptions(command, a);
     command.add_option("--seed", a.seed, "Seed of the random numbers (default 0)")->check(CLI::NonNegativeNumber);
     command
@@ -35,6 +39,11 @@ Result<TrackOptions> checkTrackOptions(const TrackArguments& a) {
     auto report = parseLinkOption("--report", a.report);
     if (!report) return Error{report.error()};
     options.report = *std::move(report);
+    auto serve = parseLinkOption("--serve", a.serve);
+    if (!serve) return Error{serve.error()};
+    if (*serve)
+        if (auto servable = checkServable(**serve); !servable) return Error{"--serve: " + servable.error()};
+    options.serve = *std::move(serve);
     auto settings = readSettings(a.parameter_files, a.assignments);
     if (!settings) return Error{settings.error()};
     options.settings = *std::move(settings);

@@ -14,7 +14,7 @@ namespace echotrail {
 
 /// The command line of `echotrail track`, as typed.
 struct TrackArguments : RunArguments {
-    std::string sonar, navigation, record, report;
+    std::string sonar, navigation, record, report, serve;
     std::uint64_t seed = 0;
     double duration_s = 0.0;  ///< 0: until it is told to end
     bool no_record = false, quiet = false;
@@ -24,6 +24,7 @@ struct TrackArguments : RunArguments {
 struct TrackOptions {
     LiveAddresses addresses;
     std::optional<LinkAddress> report;
+    std::optional<LinkAddress> serve;  ///< consoles
     std::string record;  ///< file, or nothing
     std::string tracks;  ///< file, "-" or nothing
     std::optional<ReplayOptions::Target> target;

@@ -25,9 +25,30 @@ TrackRun::TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, 
     runner_.setFanPainting(options.paint_fan);
 }
 
+Result<void> TrackRun::serve() {
+    if (!options_.serve) return {};
+    service_ =
+        std::make_unique<TrackerService>(options_.settings.params, runner_, *link_, "echotrail " ECHOTRAIL_VERSION);
+    connect(service_.get(), &TrackerService::noted, this,
+            [this](const QString& text) { tell(LinkLog::Weight::Note, text.toStdString()); });
+    const auto address = service_->start(*options_.serve);
+    if (!address) return Error{address.error()};
+    note("consoles are served at " + toText(*address));
+    return {};
+}
+
+void TrackRun::tell(LinkLog::Weight weight, const std::string& text) {
+    const char* word = weight == LinkLog::Weight::Alarm     ? "ALARM: "
+                       : weight == LinkLog::Weight::Warning ? "WARNING: "
+                                                            : "";
+    note(word + text);
+    if (service_) service_->say(weight, text);
+}
+
 void TrackRun::start() {
     if (options_.target) runner_.designate(options_.target->range_m, options_.target->from_bow);
-    connect(link_.get(), &HeadLink::noted, this, [](const QString& text) { note(text.toStdString()); });
+    connect(link_.get(), &HeadLink::noted, this,
+            [this](const QString& text) { tell(LinkLog::Weight::Note, text.toStdString()); });
     connect(&health_, &QTimer::timeout, this, [this] { tellHealth(); });
     health_.start(1000);
     if (feed_) {
@@ -46,6 +67,7 @@ void TrackRun::start() {
 
 /// On the pipeline's thread.
 void TrackRun::hear(const Update& update, Timestamp settled, const ScanningSonarPipeline& pipeline) {
+    if (service_) service_->take(runner_.lastPing(), update, pipeline);
     const std::scoped_lock lock(mutex_);
     if (!first_ping_) {
         first_ping_ = update.time;
@@ -65,10 +87,11 @@ void TrackRun::tellHealth() {
     const LiveStatus live = runner_.status();
     if (!failure().empty()) QCoreApplication::quit();
     if (std::exchange(disk_told_, live.recorder.disk) != live.recorder.disk && live.recorder.disk != DiskState::Good)
-        note((live.recorder.disk == DiskState::Full ? "ALARM: only " : "WARNING: only ") +
-             std::to_string(live.recorder.free_bytes / 1'000'000) + " MB are free where the log is written; make room");
+        tell(live.recorder.disk == DiskState::Full ? LinkLog::Weight::Alarm : LinkLog::Weight::Warning,
+             "only " + std::to_string(live.recorder.free_bytes / 1'000'000) +
+                 " MB are free where the log is written; make room");
     if (!live.recorder.error.empty() && !std::exchange(log_told_, true))
-        note("ALARM: recording has ended: " + live.recorder.error);
+        tell(LinkLog::Weight::Alarm, "recording has ended: " + live.recorder.error);
     if (options_.quiet) return;
     std::uint64_t rejected = 0;
     for (const auto& [cause, number] : live.counts.rejected) rejected += number;
@@ -88,6 +111,7 @@ nlohmann::ordered_json TrackRun::finish(const std::string& reason) {
     health_.stop();
     reports_.stop();
     const HeadLinkState link = link_->state();
+    if (service_) service_->stop();  // it works with the link
     link_.reset();
     runner_.finish();
     const LiveStatus live = runner_.status();
@@ -123,6 +147,13 @@ nlohmann::ordered_json TrackRun::finish(const std::string& reason) {
                                    {"log", live.recorder.path},
                                    {"exit_reason", reason}};
     if (feed_) summary["reports"] = {{"sent", feed_->counts().sent}, {"dropped", feed_->counts().dropped}};
+    if (service_) {
+        const TrackerService::Counts& counts = service_->counts();
+        summary["consoles"] = {{"connections", counts.link.connections}, {"turned_away", counts.link.turned_away},
+                               {"malformed", counts.link.malformed},     {"refused", counts.link.refused},
+                               {"dropped", counts.link.dropped},         {"resynchronised", counts.link.resynchronised},
+                               {"missed_moments", counts.missed}};
+    }
     runner_.record({UpdateKind::Summary, runner_.now(), summary.dump()});
     runner_.closeLog();
     return summary;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/io/head_link.hpp"
+#include "app/io/tracker_service.hpp"
 #include "core/runtime/live_runner.hpp"
 #include "target_feed.hpp"
 #include "track_options.hpp"
@@ -24,6 +25,8 @@ public:
     TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, std::unique_ptr<TracksWriter> tracks,
              std::unique_ptr<TargetFeed> feed);
 
+    /// Serves consoles where that is asked for; the error says why it cannot be done. Before start().
+    Result<void> serve();
     /// From here on an event loop must run. It is told to quit when the tracks cannot be written.
     void start();
     /// Ends the run and says how it went.
@@ -37,6 +40,8 @@ public:
 private:
     void hear(const Update& update, Timestamp settled, const ScanningSonarPipeline& pipeline);
     void tellHealth();
+    /// To standard error and to the consoles.
+    void tell(LinkLog::Weight weight, const std::string& text);
 
     TrackOptions options_;
     std::unique_ptr<TracksWriter> tracks_;
@@ -53,6 +58,7 @@ private:
 
     LiveRunner runner_;  // its threads end before what they use
     std::unique_ptr<HeadLink> link_;
+    std::unique_ptr<TrackerService> service_;
 };
 
 }  // namespace echotrail

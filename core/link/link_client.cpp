@@ -43,8 +43,7 @@ void LinkClient::linkDown() {
     for (const std::uint32_t request : unanswered_)
         add(LinkReply{request, false, "the link was lost before the answer came; see what is in force"});
     unanswered_.clear();
-    probes_.clear();
-    probed_.reset();
+    probed_.reset();  // what the old probes say of the clocks still holds
     status_.round_trip.reset();
 }
 

@@ -155,6 +155,14 @@ TEST(LiveUsage, WrongAddressesAreSaidInOneLine) {
     EXPECT_TRUE(isOneLine(exists.errors)) << exists.errors;
 }
 
+TEST(LiveUsage, ConsolesAreServedOnThisMachineOnly) {
+    for (const char* serve : {"tcp://0.0.0.0:7000", "tcp://192.168.1.5:7000", "tcp://[::]:0", "udp://127.0.0.1:0"}) {
+        const Outcome outcome = run({"track", "--sonar", "tcp://127.0.0.1:1", "--no-record", "--serve", serve});
+        EXPECT_EQ(outcome.exit_code, 2) << serve;
+        EXPECT_TRUE(isOneLine(outcome.errors)) << outcome.errors;
+    }
+}
+
 TEST(LiveUsage, NavigationIsNotServedToNobody) {
     const Outcome outcome =
         run({"simulate", "demo", "--serve-sonar", "pty", "--serve-navigation", "udp://127.0.0.1:0"});

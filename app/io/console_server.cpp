@@ -1,0 +1,178 @@
+#include "app/io/console_server.hpp"
+
+#include <QHostAddress>
+#include <QTcpSocket>
+#include <utility>
+
+namespace echotrail {
+namespace {
+
+// What is in a socket cannot be taken back: little, so that a slow way is noticed and less is sent.
+constexpr qint64 socket_bytes = 64 * 1024;
+constexpr int kernel_bytes = 128 * 1024;
+constexpr qint64 read_bytes = 256 * 1024;
+constexpr qint64 read_at_once = 64 * 1024;
+constexpr int tick_ms = 50;
+constexpr Microseconds last_words{1'000'000};  // for the refusal to go out
+constexpr Microseconds notes_interval{10'000'000};
+constexpr std::uint64_t notes_per_interval = 20;  // nobody fills the tracker's own output by knocking
+
+QHostAddress hostOf(const LinkAddress& address) {
+    if (address.host == "localhost") return QHostAddress(QHostAddress::LocalHost);
+    return QHostAddress(QString::fromStdString(address.host));
+}
+
+}  // namespace
+
+Result<void> checkServable(const LinkAddress& address) {
+    if (address.kind != LinkAddress::Kind::Tcp)
+        return Error{"consoles are served over TCP only, as in tcp://127.0.0.1:7000"};
+    if (!hostOf(address).isLoopback())
+        return Error{"'" + address.host +
+                     "' is not this machine's own loopback address (127.0.0.1, ::1 or localhost): whoever could reach "
+                     "another one could command the head. Let consoles elsewhere come through a tunnel, as in "
+                     "ssh -L 7000:127.0.0.1:7000"};
+    return {};
+}
+
+ConsoleServer::ConsoleServer(const LinkIdentity& identity, std::vector<NamedValue> parameters, Clock clock,
+                             Handler handler)
+    : clock_(std::move(clock)),
+      handler_(std::move(handler)),
+      server_(identity, static_cast<std::uint64_t>(clock_().time_since_epoch().count()), std::move(parameters)) {}
+
+ConsoleServer::~ConsoleServer() {
+    for (auto& [console, peer] : peers_) {
+        peer.socket->disconnect(this);
+        peer.socket->abort();
+    }
+}
+
+Result<LinkAddress> ConsoleServer::listen(const LinkAddress& address) {
+    if (auto servable = checkServable(address); !servable) return Error{servable.error()};
+    listener_ = std::make_unique<QTcpServer>();
+    if (!listener_->listen(hostOf(address), address.port))
+        return Error{"cannot serve consoles on " + toText(address) + ": " + listener_->errorString().toStdString()};
+    connect(listener_.get(), &QTcpServer::newConnection, this, [this] {
+        while (QTcpSocket* socket = listener_->nextPendingConnection()) welcome(socket);
+    });
+    tick_ = new QTimer(this);
+    connect(tick_, &QTimer::timeout, this, [this] { tick(); });
+    tick_->start(tick_ms);
+    LinkAddress real = address;
+    real.port = listener_->serverPort();
+    return real;
+}
+
+void ConsoleServer::welcome(QTcpSocket* socket) {
+    const auto console = server_.connected(clock_());
+    if (!console) {
+        socket->abort();
+        socket->deleteLater();
+        return;
+    }
+    peers_[*console].socket = socket;
+    socket->setReadBufferSize(read_bytes);
+    socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
+    socket->setSocketOption(QAbstractSocket::SendBufferSizeSocketOption, kernel_bytes);
+    connect(socket, &QTcpSocket::readyRead, this, [this, id = *console] { read(id); });
+    connect(socket, &QTcpSocket::bytesWritten, this, [this, id = *console] { flush(id); });
+    connect(socket, &QTcpSocket::disconnected, this, [this, id = *console] { close(id); });
+    if (socket->bytesAvailable() > 0) read(*console);
+}
+
+void ConsoleServer::read(std::uint32_t console) {
+    const auto peer = peers_.find(console);
+    if (peer == peers_.end()) return;
+    QTcpSocket* socket = peer->second.socket;
+    // A little of each in turn: who sends without end does not keep the others waiting.
+    const QByteArray bytes = socket->read(read_at_once);
+    server_.received(console, clock_(),
+                     {reinterpret_cast<const std::uint8_t*>(bytes.data()), static_cast<std::size_t>(bytes.size())});
+    answerRequests();
+    flush(console);
+    tellNotes();
+    if (peers_.contains(console) && socket->bytesAvailable() > 0)
+        QMetaObject::invokeMethod(
+            this, [this, console] { read(console); }, Qt::QueuedConnection);
+}
+
+void ConsoleServer::answerRequests() {
+    bool answered = false;
+    while (const auto request = server_.nextRequest(clock_())) {
+        const auto done = handler_(*request);
+        if (done && *done) server_.publishParameters(**done, clock_());
+        server_.answer(*request, done ? Result<void>() : Result<void>(Error{done.error()}), clock_());
+        answered = true;
+    }
+    if (answered) flush();
+}
+
+void ConsoleServer::flush(std::uint32_t console) {
+    const auto found = peers_.find(console);
+    if (found == peers_.end()) return;
+    Peer& peer = found->second;
+    if (const qint64 room = socket_bytes - peer.socket->bytesToWrite(); room > 0) {
+        std::string out;
+        server_.takeOutput(console, clock_(), out, static_cast<std::size_t>(room));
+        if (!out.empty()) peer.socket->write(out.data(), static_cast<qint64>(out.size()));
+    }
+    if (!server_.isClosing(console)) return;
+    if (!peer.closing_since) {
+        peer.closing_since = clock_();
+        peer.socket->disconnectFromHost();  // once all is written; the tick does not wait for ever
+    }
+}
+
+void ConsoleServer::flush() {
+    for (auto peer = peers_.begin(); peer != peers_.end();) {
+        const std::uint32_t console = (peer++)->first;  // flushing may end it
+        flush(console);
+    }
+}
+
+void ConsoleServer::close(std::uint32_t console) {
+    const auto peer = peers_.find(console);
+    if (peer == peers_.end()) return;
+    QTcpSocket* socket = peer->second.socket;
+    peers_.erase(peer);
+    socket->disconnect(this);
+    socket->abort();
+    socket->deleteLater();
+    server_.disconnected(console, clock_());
+    tellNotes();
+}
+
+void ConsoleServer::tick() {
+    server_.tick(clock_());
+    flush();
+    std::vector<std::uint32_t> over;
+    for (const auto& [console, peer] : peers_)
+        if (peer.closing_since && clock_() - *peer.closing_since > last_words) over.push_back(console);
+    for (const std::uint32_t console : over) close(console);
+    tellNotes();
+}
+
+void ConsoleServer::tellNotes() {
+    const Timestamp now = clock_();
+    if (now - notes_since_ > notes_interval) {
+        if (notes_untold_ > 0) Q_EMIT noted(tr("%1 more lines about consoles left out").arg(notes_untold_));
+        notes_since_ = now;
+        notes_left_ = notes_per_interval;
+        notes_untold_ = 0;
+    }
+    while (const auto note = server_.nextNote()) {
+        if (notes_left_ > 0) {
+            --notes_left_;
+            Q_EMIT noted(QString::fromStdString(*note));
+        } else {
+            ++notes_untold_;
+        }
+    }
+}
+
+void ConsoleServer::publish(LinkMoment moment) { server_.publish(std::move(moment), clock_()); }
+void ConsoleServer::publish(const LinkHealth& health) { server_.publish(health, clock_()); }
+void ConsoleServer::publish(const LinkLog& line) { server_.publish(line, clock_()); }
+
+}  // namespace echotrail
