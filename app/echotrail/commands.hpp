@@ -24,6 +24,9 @@ Command addRecoverCommand(CLI::App& program);
 /// `echotrail convert`: exports and imports.
 Command addConvertCommand(CLI::App& program);
 
+/// `echotrail evaluate`: how well scenarios or a recording with known truth are tracked.
+Command addEvaluateCommand(CLI::App& program);
+
 /// `echotrail info`: what is in a recording.
 Command addInfoCommand(CLI::App& program);
 
