@@ -70,6 +70,7 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
         std::cerr << "echotrail-console: " << applied.error() << "\n";
         return usage_error;
     }
+    options.params_given = !files.empty() || !assignments.empty();
     return options;
 }
 

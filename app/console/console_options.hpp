@@ -22,6 +22,7 @@ struct ConsoleOptions {
     int width = 1600;
     int height = 1000;
     ScanningSonarPipeline::Params params;
+    bool params_given = false;  ///< they count over those in a recording
     std::uint64_t seed = 0;
     std::optional<double> quit_after_s;
 };

@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
     if (!options.palette.empty()) window.setTheme(themeFromName(QString::fromStdString(options.palette)));
     window.bridge().setSeed(options.seed);
     window.setParams(options.params);
+    window.bridge().setOverridesRecorded(options.params_given);
     window.resize(options.width, options.height);
     window.show();
     if (options.demonstration) window.openDemonstration();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace echotrail {
 namespace {
@@ -15,8 +16,9 @@ constexpr int pings_analysed_per_slice = 64;
 
 }  // namespace
 
-ReplayPlayer::ReplayPlayer(std::unique_ptr<PingSource> source, const Params& params, std::uint64_t seed)
-    : source_(std::move(source)), params_(params), seed_(seed) {
+ReplayPlayer::ReplayPlayer(std::unique_ptr<PingSource> source, const Params& params, std::uint64_t seed,
+                           bool as_recorded)
+    : source_(std::move(source)), params_(params), seed_(seed), as_recorded_(as_recorded) {
     source_->rewind();
     restart();
 }
@@ -114,12 +116,14 @@ void ReplayPlayer::restart() {
     latest_ = {};
     position_ = 0;
     at_end_ = false;
+    params_told_ = false;
     applyDesignationsHere();
 }
 
 void ReplayPlayer::setParams(const Params& params, std::uint64_t revision) {
     params_ = params;
     revision_ = revision;
+    as_recorded_ = false;
     analysis_.reset();
     pipeline_->setParams(params);
 }
@@ -142,15 +146,30 @@ void ReplayPlayer::apply(const Designation& designation) {
         pipeline_->clearDesignation();
 }
 
-/// What the operator picked in the run that was recorded. Its parameters are not taken over here: those in the form
-/// are in force, and the form must not lie.
+/// What the operator did in the run that was recorded. Parameters only until the operator of the replay sets some.
 void ReplayPlayer::applyRecorded(ScanningSonarPipeline& pipeline) {
     for (const RunControl& control : source_->takeControls()) {
-        if (control.kind == RunControl::Kind::Designation)
-            pipeline.designate(control.range_m, control.from_bow);
-        else if (control.kind == RunControl::Kind::ClearDesignation)
-            pipeline.clearDesignation();
+        switch (control.kind) {
+            case RunControl::Kind::Parameters: {
+                Params params;
+                if (!as_recorded_ || !applyRecordedParameters(params, control.parameters)) break;
+                pipeline.setParams(params);
+                if (&pipeline == pipeline_.get()) params_told_ = false;
+                break;
+            }
+            case RunControl::Kind::Designation:
+                pipeline.designate(control.range_m, control.from_bow);
+                break;
+            case RunControl::Kind::ClearDesignation:
+                pipeline.clearDesignation();
+                break;
+        }
     }
+}
+
+std::optional<ReplayPlayer::Params> ReplayPlayer::takeRecordedParams() {
+    if (!as_recorded_ || std::exchange(params_told_, true)) return std::nullopt;
+    return pipeline_->params();
 }
 
 void ReplayPlayer::applyDesignationsHere() {

@@ -19,7 +19,9 @@ class ReplayPlayer {
 public:
     using Params = ScanningSonarPipeline::Params;
 
-    ReplayPlayer(std::unique_ptr<PingSource> source, const Params& params, std::uint64_t seed);
+    /// `as_recorded`: `params` are those a recorded run began with, and its later changes count too, at their pings.
+    ReplayPlayer(std::unique_ptr<PingSource> source, const Params& params, std::uint64_t seed,
+                 bool as_recorded = false);
 
     /// Reads on through the source, noting the times of the pings. True once all are known: needed before the rest.
     bool scan();
@@ -33,7 +35,8 @@ public:
     /// Back to before the first ping.
     void restart();
 
-    /// The same tracks go on with other parameters from the next ping.
+    /// The same tracks go on with other parameters from the next ping; from now on what was recorded of them does not
+    /// count.
     void setParams(const Params& params, std::uint64_t revision);
     /// As in the pipeline; remembered with the position, so that a run from the start meets it at the same ping.
     void designate(double range_m, Bearing from_bow);
@@ -51,6 +54,8 @@ public:
     const Timeline& timeline() const { return timeline_; }
     const SourceCounts& counts() const { return counts_; }
     bool designated() const;
+    /// Those in force, where they follow the recording and have changed since the last call.
+    std::optional<Params> takeRecordedParams();
     Scene scene() const;
 
 private:
@@ -92,6 +97,8 @@ private:
     std::uint64_t position_ = 0;
     bool at_end_ = false;
     bool enhanced_ = false;
+    bool as_recorded_ = false;
+    bool params_told_ = false;
 };
 
 }  // namespace echotrail

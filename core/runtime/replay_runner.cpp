@@ -24,8 +24,9 @@ constexpr auto first_analysis_budget = std::chrono::seconds(2);  ///< a long rec
 /// The thread's own state. Each turn of the loop obeys the commands and then does one small piece of work.
 class ReplayRunner::Loop {
 public:
-    Loop(ReplayRunner& owner, std::unique_ptr<PingSource> source, const Params& params, std::uint64_t seed)
-        : owner_(owner), player_(std::move(source), params, seed) {}
+    Loop(ReplayRunner& owner, std::unique_ptr<PingSource> source, const Params& params, std::uint64_t seed,
+         bool as_recorded)
+        : owner_(owner), player_(std::move(source), params, seed, as_recorded) {}
 
     void run(const std::stop_token& stop) {
         while (!stop.stop_requested() && !player_.scan()) report(ReplayState::Loading, player_.scanned());
@@ -200,6 +201,7 @@ private:
 
     void publish(bool must) {
         if (!must && (!unseen_ || travelling_ || !owner_.scenes_.empty())) return;
+        if (auto params = player_.takeRecordedParams()) owner_.recorded_params_.put(*std::move(params));
         owner_.scenes_.put(player_.scene());
         unseen_ = false;
     }
@@ -235,11 +237,12 @@ private:
     bool changed_ = false;  ///< a scene must be published even over one that nobody took
 };
 
-ReplayRunner::ReplayRunner(std::unique_ptr<PingSource> source, const Params& params, std::uint64_t seed)
-    : thread_([this, params, seed, source = std::move(source)](const std::stop_token& stop) mutable {
+ReplayRunner::ReplayRunner(std::unique_ptr<PingSource> source, const Params& params, std::uint64_t seed,
+                           bool as_recorded)
+    : thread_([this, params, seed, as_recorded, source = std::move(source)](const std::stop_token& stop) mutable {
           flushDenormals();
           try {
-              Loop(*this, std::move(source), params, seed).run(stop);
+              Loop(*this, std::move(source), params, seed, as_recorded).run(stop);
           } catch (const std::exception& failure) {
               const std::scoped_lock lock(mutex_);
               status_.state = ReplayState::Failed;

@@ -45,7 +45,9 @@ public:
     static constexpr double max_speed = std::numeric_limits<double>::infinity();
 
     /// Starts paused before the first ping.
-    ReplayRunner(std::unique_ptr<PingSource> source, const Params& params, std::uint64_t seed);
+    /// `as_recorded`: `params` are those a recorded run began with; until setParams() its later changes count too.
+    ReplayRunner(std::unique_ptr<PingSource> source, const Params& params, std::uint64_t seed,
+                 bool as_recorded = false);
     ~ReplayRunner();
     ReplayRunner(const ReplayRunner&) = delete;
     ReplayRunner& operator=(const ReplayRunner&) = delete;
@@ -69,6 +71,8 @@ public:
 
     Latest<Scene>& scenes() { return scenes_; }
     Latest<Timeline>& timelines() { return timelines_; }
+    /// The parameters in force where they follow the recording, whenever they have changed.
+    Latest<Params>& recordedParams() { return recorded_params_; }
     ReplayStatus status() const;
 
 private:
@@ -82,6 +86,7 @@ private:
     ReplayStatus status_;
     Latest<Scene> scenes_;
     Latest<Timeline> timelines_;
+    Latest<Params> recorded_params_;
     std::jthread thread_;  // last, so that it ends before what it uses
 };
 

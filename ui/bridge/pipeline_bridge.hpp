@@ -34,6 +34,11 @@ public:
     const QList<SimulatedHeadChoice>& simulatedHeads() const { return live_access_.simulated_heads; }
     /// Polls a head instead of what is open: opened(), or connectFailed() and nothing has changed.
     void openLive(const QString& sonar, const QString& navigation, bool record);
+    /// Parameters and seed are those of the run that was recorded, as they were at each ping: until someone sets others.
+    /// When the recording is closed those of before are back.
+    bool isAsRecorded() const { return runner_ && own_params_; }
+    /// What is set counts for recordings too, whatever was in force when they were made.
+    void setOverridesRecorded(bool on) { overrides_recorded_ = on; }
     void close();
 
     bool isOpen() const { return runner_ || live_; }
@@ -83,10 +88,14 @@ Q_SIGNALS:
     /// Four times a second while a head is polled.
     void liveChanged(const echotrail::LiveState& state);
     void paramsChanged(const echotrail::ScanningSonarPipeline::Params& params);
+    /// They were changed from elsewhere: forms have to show them.
+    void paramsAdopted();
 
 private:
     void pollOpening();
     void adopt(std::unique_ptr<PingSource> source);
+    void startReplay(std::unique_ptr<PingSource> source);
+    void adoptParams(const Params& params);
     /// Ends what is open; says nothing.
     void clear();
     void announce();
@@ -98,6 +107,8 @@ private:
     QString opening_name_;
     SourceInfo info_;
     Params params_;
+    bool overrides_recorded_ = false;
+    std::optional<Params> own_params_;  ///< of this console, while a recorded run has others in force
     std::uint64_t revision_ = 0;
     std::uint64_t seed_ = 0;
     double speed_ = 1.0;

@@ -180,6 +180,7 @@ void MainWindow::connectBridge() {
         showStart(true);
     });
     connect(&bridge_, &PipelineBridge::liveChanged, this, &MainWindow::onLive);
+    connect(&bridge_, &PipelineBridge::paramsAdopted, this, [this] { parameters_->showParams(); });
     connect(&bridge_, &PipelineBridge::sceneChanged, this, &MainWindow::onScene);
     connect(&bridge_, &PipelineBridge::statusChanged, this, &MainWindow::onStatus);
     onStatus({});
@@ -217,6 +218,8 @@ void MainWindow::onOpened() {
                    "   " + QString::fromStdString(info.head) +
                    (notes.isEmpty() ? QString() : "   " + tr("notes on it under FILE")));
     foot_->setToolTip(notes.join("\n"));
+    if (bridge_.isAsRecorded())
+        say(tr("Parameters and seed are those of the recorded run; what you set counts from then on instead."), true);
     if (options_.play_on_open) bridge_.play();
 }
 

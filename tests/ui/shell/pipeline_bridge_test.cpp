@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QFileInfo>
+#include <atomic>
 #include <stdexcept>
 #include <thread>
 
@@ -14,6 +15,36 @@ namespace {
 using test::await;
 using test::scanOpener;
 
+PipelineBridge::Params withParticles(int particles) {
+    PipelineBridge::Params params;
+    EXPECT_TRUE(setParameter(params, "particles", particles));
+    return params;
+}
+
+/// A run with 500 particles, and from its 50th ping on with 700.
+class RecordedScan : public test::ScanSource {
+public:
+    RecordedScan() : ScanSource(test::sectorScan(100)) {}
+    std::optional<RecordedRun> recordedRun() const override {
+        return RecordedRun{9, parameterText(withParticles(500))};
+    }
+    std::optional<Ping> next() override {
+        auto ping = ScanSource::next();
+        if (ping && ping->sequence == 50)
+            controls_.push_back(
+                {.kind = RunControl::Kind::Parameters, .parameters = parameterText(withParticles(700))});
+        return ping;
+    }
+    void rewind() override {
+        controls_.clear();
+        ScanSource::rewind();
+    }
+    std::vector<RunControl> takeControls() override { return std::exchange(controls_, {}); }
+
+private:
+    std::vector<RunControl> controls_;
+};
+
 class PipelineBridgeTest : public testing::Test {
 protected:
     PipelineBridgeTest() {
@@ -21,6 +52,14 @@ protected:
         QObject::connect(&bridge_, &PipelineBridge::openFailed,
                          [this](const QString&, const QString& reason) { failure_ = reason; });
     }
+    void openRecordedRun() {
+        bridge_.open("run", []() -> SourceOpener::Outcome {
+            return std::unique_ptr<PingSource>(std::make_unique<RecordedScan>());
+        });
+        ASSERT_TRUE(await([&] { return bridge_.timeline().analysed == 100 && rests(); }));
+    }
+    /// The particles of the parameters that the forms show.
+    int particles() const { return std::get<int>(parameter(bridge_.params(), "particles").value()); }
     bool rests() const {
         return bridge_.status().state == ReplayState::Paused && bridge_.status().goal == bridge_.status().position;
     }
@@ -88,6 +127,39 @@ TEST_F(PipelineBridgeTest, ARealRecordingIsOpenedAndItsTargetFollowedToTheEnd) {
     ASSERT_TRUE(await([&] { return bridge_.scene() && bridge_.scene()->at_end; }));
     EXPECT_FALSE(bridge_.scene()->tracks.empty());
     EXPECT_FALSE(bridge_.scene()->fan.empty());
+}
+
+TEST_F(PipelineBridgeTest, ARecordedRunBringsItsParametersAsTheyWereAtEachPingAndTakesThemAway) {
+    bridge_.setParams(withParticles(1000));
+    openRecordedRun();
+    EXPECT_TRUE(bridge_.isAsRecorded());
+    EXPECT_EQ(particles(), 500);
+    bridge_.seekPosition(80);
+    ASSERT_TRUE(await([&] { return rests() && bridge_.status().position == 80; }));
+    EXPECT_TRUE(await([&] { return particles() == 700; }));
+    bridge_.seekPosition(10);
+    EXPECT_TRUE(await([&] { return particles() == 500; }));
+    bridge_.close();
+    EXPECT_EQ(particles(), 1000);
+}
+
+TEST_F(PipelineBridgeTest, WhatIsSetWhileLookingAtARecordedRunCountsAndStays) {
+    openRecordedRun();
+    bridge_.setParams(withParticles(300));
+    EXPECT_FALSE(bridge_.isAsRecorded());
+    bridge_.seekPosition(80);
+    ASSERT_TRUE(await([&] { return rests() && bridge_.status().position == 80; }));
+    EXPECT_EQ(particles(), 300);
+    bridge_.close();
+    EXPECT_EQ(particles(), 300);
+}
+
+TEST_F(PipelineBridgeTest, WhatTheCommandLineSetsCountsOverARecordedRun) {
+    bridge_.setParams(withParticles(1000));
+    bridge_.setOverridesRecorded(true);
+    openRecordedRun();
+    EXPECT_FALSE(bridge_.isAsRecorded());
+    EXPECT_EQ(particles(), 1000);
 }
 
 TEST_F(PipelineBridgeTest, ClosingLeavesNothingBehind) {
