@@ -41,6 +41,11 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
     app.add_option("--navigation", options.navigation, "NMEA 0183 (heading, position, speed) from a link of this form")
         ->needs(sonar);
     app.add_flag("--no-record", options.no_record, "Keep nothing of what the head sends")->needs(sonar);
+    app.add_option("--connect", options.connect,
+                   "Follow a tracker: tcp://HOST:PORT, as 'echotrail track --serve' says it")
+        ->excludes(recording)
+        ->excludes(demonstration)
+        ->excludes(sonar);
     auto* picture = app.add_option("--screenshot", options.screenshot,
                                    "Write a PNG of the window at --at, then exit; settings are not touched");
     app.add_option("--at", options.at_s,
@@ -62,8 +67,8 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : usage_error;
     }
     if (!options.screenshot.empty() && options.recording.empty() && !options.demonstration && options.sonar.empty() &&
-        options.at_s) {
-        std::cerr << "echotrail-console: --at needs a RECORDING, --demonstration or --sonar\n";
+        options.connect.empty() && options.at_s) {
+        std::cerr << "echotrail-console: --at needs a RECORDING, --demonstration, --sonar or --connect\n";
         return usage_error;
     }
     if (const auto applied = applyParameters(options.params, files, assignments); !applied) {

@@ -1,6 +1,7 @@
 #include "live_connection.hpp"
 
 #include "app/io/recording_path.hpp"
+#include "remote_connection.hpp"
 
 #include <QSerialPortInfo>
 
@@ -32,11 +33,12 @@ QStringList serialPorts() {
 }
 
 LiveAccess liveAccess() {
-    LiveAccess access{LiveConnection::make, serialPorts, {}};
+    LiveAccess access{LiveConnection::make, serialPorts, {}, {}};
     for (const Scenario& scenario : scenarios())
         access.simulated_heads.append({QString::fromStdString(scenario.name),
                                        QString::fromStdString("simulation://" + scenario.name),
                                        QString::fromStdString(scenario.description)});
+    access.open_tracker = RemoteConnection::make;
     return access;
 }
 

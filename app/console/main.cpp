@@ -49,17 +49,18 @@ int main(int argc, char** argv) {
     window.show();
     if (options.demonstration) window.openDemonstration();
     if (!options.recording.empty()) window.openRecording(QString::fromStdString(options.recording));
-    if (!options.sonar.empty()) {
+    if (!options.connect.empty()) window.openTracker(QString::fromStdString(options.connect));
+    if (!options.sonar.empty())
         window.connection().connectTo(QString::fromStdString(options.sonar), QString::fromStdString(options.navigation),
                                       !options.no_record);
-        if (picture && !window.bridge().isLive()) {
-            std::cerr << "echotrail-console: " << window.messages().text().toStdString() << "\n";
-            return 1;
-        }
+    const bool live = !options.sonar.empty() || !options.connect.empty();
+    if (live && picture && !window.bridge().isLive()) {
+        std::cerr << "echotrail-console: " << window.messages().text().toStdString() << "\n";
+        return 1;
     }
     if (picture)
         new Screenshot(window, QString::fromStdString(options.screenshot), options.at_s,
-                       options.demonstration || !options.recording.empty() || !options.sonar.empty());
+                       options.demonstration || !options.recording.empty() || live);
     if (options.quit_after_s)
         QTimer::singleShot(static_cast<int>(*options.quit_after_s * 1000.0), &window, &QWidget::close);
     return QApplication::exec();

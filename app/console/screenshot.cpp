@@ -21,7 +21,7 @@ Screenshot::Screenshot(MainWindow& window, const QString& path, std::optional<do
 
 void Screenshot::waitForSweep() {
     connect(&window_.bridge(), &PipelineBridge::liveChanged, this, [this](const LiveState& state) {
-        if (state.run.sweeps == 0 || std::exchange(shot_, true)) return;
+        if (state.run.sweeps == 0 || !window_.bridge().scene() || std::exchange(shot_, true)) return;
         QTimer::singleShot(0, this, &Screenshot::shoot);
     });
 }

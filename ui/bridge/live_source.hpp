@@ -30,6 +30,27 @@ struct LiveLink {
     std::optional<double> age_s;  ///< since the last bytes; none before the first
 };
 
+/// A tracker far away, where the live source is one.
+struct TrackerState {
+    LiveLink link;
+    QString name;                        ///< of the vehicle; empty before it has said so
+    std::optional<double> latency_s;     ///< of the last echo line, from its transmission to this console
+    std::optional<double> round_trip_s;  ///< of the link
+    quint64 gaps = 0;                    ///< messages that did not come
+    bool holds_control = false;          ///< this console does
+    bool asks_control = false;           ///< this console does
+    QString holder, asking;              ///< names of consoles; empty: nobody
+};
+
+/// What one can do about control of a far tracker.
+enum class TrackerControl { Ask, Give, Keep, Take };
+
+/// Something the operator should read.
+struct LiveNotice {
+    QString text;
+    bool ok = true;
+};
+
 /// A live source at a glance.
 struct LiveState {
     LiveLink sonar;
@@ -38,6 +59,7 @@ struct LiveState {
     LiveStatus run;
     std::optional<double> ping_age_s;     ///< none before the first ping
     std::optional<double> heading_age_s;  ///< none before the first heading
+    std::optional<TrackerState> tracker;  ///< only of a tracker far away
 };
 
 /// A head that is polled, seen from the window: whoever makes it moves the bytes. Calls return at once; scenes and
@@ -54,6 +76,10 @@ public:
     virtual void setParams(const LiveRunner::Params& params) = 0;
     virtual void designate(double range_m, Bearing from_bow) = 0;
     virtual void clearDesignation() = 0;
+    /// The parameters in force, where someone else has changed them or they were not taken.
+    virtual std::optional<LiveRunner::Params> takeParams() { return std::nullopt; }
+    virtual std::optional<LiveNotice> takeNotice() { return std::nullopt; }
+    virtual void control(TrackerControl) {}
     /// Scenes carry the locally enhanced picture too.
     virtual void setEnhanced(bool on) = 0;
 };
@@ -67,11 +93,15 @@ struct SimulatedHeadChoice {
     QString title, address, description;
 };
 
+/// The same of a tracker far away; `address` is tcp://HOST:PORT.
+using TrackerOpener = std::function<Result<std::unique_ptr<LiveSource>>(const QString& address)>;
+
 /// How a window reaches live sources; a program without links leaves it empty.
 struct LiveAccess {
     LiveOpener open;
     std::function<QStringList()> ports;  ///< addresses of this computer's serial ports, now
     QList<SimulatedHeadChoice> simulated_heads;
+    TrackerOpener open_tracker;
 };
 
 }  // namespace echotrail

@@ -25,13 +25,8 @@ void PipelineBridge::openRecording(const QString& path) {
     RecordingOptions options;
     const double speed_of_sound = params_.head.sound_speed;
     if (speed_of_sound != HeadSettings{}.sound_speed) options.sound_speed_mps = speed_of_sound;  // else the file's own
-    const bool as_recorded = !overrides_recorded_;
-    open(QFileInfo(path).fileName(), [path = path.toStdString(), options, as_recorded]() -> SourceOpener::Outcome {
-        auto opened = echotrail::openRecording(path, as_recorded ? RecordingOptions{} : options);
-        // A run that was recorded brings its own speed of sound, like all its parameters.
-        if (!as_recorded || !opened || !options.sound_speed_mps || (*opened)->recordedRun()) return opened;
-        return echotrail::openRecording(path, options);
-    });
+    open(QFileInfo(path).fileName(),
+         [path = path.toStdString(), options] { return echotrail::openRecording(path, options); });
 }
 
 void PipelineBridge::openDemonstration() {
@@ -56,17 +51,35 @@ void PipelineBridge::openLive(const QString& sonar, const QString& navigation, b
     auto made = live_access_.open({sonar, navigation, record, own_params_.value_or(params_), seed_});
     if (!made) return Q_EMIT connectFailed(QString::fromStdString(made.error()));
     clear();  // before the start: a serial port has one owner
-    live_ = std::move(*made);
+    startLive(std::move(*made), sonar);
+}
+
+void PipelineBridge::openTracker(const QString& address) {
+    cancelOpening();
+    if (!canFollow()) return Q_EMIT connectFailed(tr("this program has no live links"));
+    auto made = live_access_.open_tracker(address);
+    if (!made) return Q_EMIT connectFailed(QString::fromStdString(made.error()));
+    clear();
+    own_params_ = params_;
+    startLive(std::move(*made), address);
+}
+
+void PipelineBridge::startLive(std::unique_ptr<LiveSource> source, const QString& name) {
+    live_ = std::move(source);
     live_->setEnhanced(enhanced_);
     live_->start();
-    info_.name = sonar.toStdString();
+    info_.name = name.toStdString();
     status_.state = ReplayState::Playing;
     announce();
     pollLive();
     timer_.start();
 }
 
-/// An echo of what was set here changes nothing.
+void PipelineBridge::control(TrackerControl action) {
+    if (live_) live_->control(action);
+}
+
+/// Not told to the live source, which said them. An echo of what was commanded here changes nothing.
 void PipelineBridge::adoptParams(const Params& params) {
     if (parameterValues(params) == parameterValues(params_)) return;
     params_ = params;
@@ -103,26 +116,13 @@ void PipelineBridge::announce() {
 void PipelineBridge::adopt(std::unique_ptr<PingSource> source) {
     clear();
     info_ = source->info();
-    startReplay(std::move(source));
+    runner_ = std::make_unique<ReplayRunner>(std::move(source), params_, seed_);
     runner_->setSpeed(speed_);
     runner_->setEnhanced(enhanced_);
     announce();
 }
 
-void PipelineBridge::startReplay(std::unique_ptr<PingSource> source) {
-    const auto run = overrides_recorded_ ? std::nullopt : source->recordedRun();
-    Params recorded;
-    if (!run || !applyRecordedParameters(recorded, run->parameters)) {
-        runner_ = std::make_unique<ReplayRunner>(std::move(source), params_, seed_);
-        return;
-    }
-    own_params_ = params_;
-    runner_ = std::make_unique<ReplayRunner>(std::move(source), recorded, run->seed, true);
-    adoptParams(recorded);
-}
-
 void PipelineBridge::setParams(const Params& params) {
-    if (runner_) own_params_.reset();  // what someone sets while looking at a recording is meant to stay
     params_ = params;
     ++revision_;
     if (runner_) runner_->setParams(params_, revision_);
@@ -151,7 +151,6 @@ void PipelineBridge::poll() {
         timeline_ = std::move(*timeline);
         Q_EMIT timelineChanged(timeline_);
     }
-    if (const auto params = runner_->recordedParams().take(); params && isAsRecorded()) adoptParams(*params);
     if (auto scene = runner_->scenes().take()) showScene(std::move(*scene));
     if (auto status = runner_->status(); status != status_) {
         status_ = std::move(status);
@@ -161,6 +160,8 @@ void PipelineBridge::poll() {
 
 void PipelineBridge::pollLive() {
     if (auto scene = live_->takeScene()) showScene(std::move(*scene));
+    if (const auto params = live_->takeParams()) adoptParams(*params);
+    while (const auto notice = live_->takeNotice()) Q_EMIT noticed(notice->text, notice->ok);
     if (live_told_.isValid() && live_told_.elapsed() < live_state_interval_ms) return;
     live_told_.start();
     live_state_ = live_->state();

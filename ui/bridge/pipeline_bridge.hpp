@@ -34,11 +34,12 @@ public:
     const QList<SimulatedHeadChoice>& simulatedHeads() const { return live_access_.simulated_heads; }
     /// Polls a head instead of what is open: opened(), or connectFailed() and nothing has changed.
     void openLive(const QString& sonar, const QString& navigation, bool record);
-    /// Parameters and seed are those of the run that was recorded, as they were at each ping: until someone sets others.
-    /// When the recording is closed those of before are back.
-    bool isAsRecorded() const { return runner_ && own_params_; }
-    /// What is set counts for recordings too, whatever was in force when they were made.
-    void setOverridesRecorded(bool on) { overrides_recorded_ = on; }
+    /// Follows a tracker far away instead of what is open; as openLive(). While it is followed the parameters are the
+    /// tracker's; afterwards those of before.
+    void openTracker(const QString& address);
+    bool canFollow() const { return live_access_.open_tracker != nullptr; }
+    bool isTracker() const { return own_params_.has_value(); }
+    void control(TrackerControl action);
     void close();
 
     bool isOpen() const { return runner_ || live_; }
@@ -90,16 +91,17 @@ Q_SIGNALS:
     void paramsChanged(const echotrail::ScanningSonarPipeline::Params& params);
     /// They were changed from elsewhere: forms have to show them.
     void paramsAdopted();
+    void noticed(const QString& text, bool ok);
 
 private:
     void pollOpening();
     void adopt(std::unique_ptr<PingSource> source);
-    void startReplay(std::unique_ptr<PingSource> source);
-    void adoptParams(const Params& params);
     /// Ends what is open; says nothing.
     void clear();
     void announce();
     void pollLive();
+    void startLive(std::unique_ptr<LiveSource> source, const QString& name);
+    void adoptParams(const Params& params);
     void showScene(Scene scene);
 
     QTimer timer_;
@@ -107,8 +109,7 @@ private:
     QString opening_name_;
     SourceInfo info_;
     Params params_;
-    bool overrides_recorded_ = false;
-    std::optional<Params> own_params_;  ///< of this console, while a recorded run has others in force
+    std::optional<Params> own_params_;  ///< of this console, while a tracker is followed
     std::uint64_t revision_ = 0;
     std::uint64_t seed_ = 0;
     double speed_ = 1.0;

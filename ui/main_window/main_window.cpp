@@ -214,7 +214,7 @@ void MainWindow::onOpened() {
     fan_->setFocus(Qt::OtherFocusReason);
     QStringList notes;
     for (const std::string& note : info.notes) notes << QString::fromStdString(note);
-    foot_->setText((bridge_.isLive() ? tr("Polling %1") : tr("Opened %1")).arg(QString::fromStdString(info.name)) +
+    foot_->setText((bridge_.isTracker() ? tr("Following %1") : bridge_.isLive() ? tr("Polling %1") : tr("Opened %1")).arg(QString::fromStdString(info.name)) +
                    "   " + QString::fromStdString(info.head) +
                    (notes.isEmpty() ? QString() : "   " + tr("notes on it under FILE")));
     foot_->setToolTip(notes.join("\n"));

@@ -19,6 +19,7 @@ class LayersPanel;
 class MessageStrip;
 class ParameterPanel;
 class ShortcutsOverlay;
+class StaleBanner;
 class StartPage;
 class StatusBar;
 class TracksPanel;
@@ -42,10 +43,13 @@ public:
     ParameterPanel& parameters() { return *parameters_; }
     TransportPanel& transport() { return *transport_; }
     MessageStrip& messages() { return *messages_; }
+    StaleBanner& stale() { return *stale_; }
     ConnectionPanel& connection() { return *connection_; }
 
     void openRecording(const QString& path);
     void openDemonstration();
+    /// Follows a tracker at tcp://HOST:PORT.
+    void openTracker(const QString& address);
     void setTheme(Theme theme);
     /// Parameters given from outside; the form shows them.
     void setParams(const PipelineBridge::Params& params);
@@ -70,6 +74,9 @@ private:
     /// Keeps a check mark in step with the fan, whoever changed it.
     void followFan(QAction& action, std::function<bool(const FanView&)> on);
     void makeSonarMenu();
+    void makeTrackerMenu(QMenu& menu);
+    void askForTracker();
+    void showTracker(const LiveState& state);
     void makeTrackMenu();
     void makeRecordingMenu();
     void makeParametersMenu();
@@ -104,6 +111,8 @@ private:
     std::vector<QAction*> need_source_;     ///< grey while nothing is open
     std::vector<QAction*> need_recording_;  ///< grey without a recording
     QAction* disconnect_ = nullptr;
+    std::vector<std::pair<QAction*, TrackerControl>> control_actions_;
+    StaleBanner* stale_ = nullptr;
     QAction* edit_sector_ = nullptr;
     bool recording_failure_told_ = false;
     static constexpr int layout_version = 2;  ///< of what is saved: another one is not restored

@@ -41,6 +41,7 @@ void MainWindow::makeSonarMenu() {
         })->setToolTip(head.description);
     edit_sector_ = addAction(menu, tr("Set the &sector on the fan"), QKeySequence("E"), [this] { fan_->editSector(); });
     disconnect_ = addAction(menu, tr("&Disconnect"), {}, [this] { bridge_.close(); });
+    makeTrackerMenu(menu);
 }
 
 void MainWindow::askForHead() {
@@ -70,6 +71,7 @@ void MainWindow::commandSector(const CommandedSector& sector) {
 }
 
 void MainWindow::onLive(const LiveState& state) {
+    showTracker(state);
     showSector();
     status_->showLive(state, bridge_.params().navigation.longest_navigation_gap_s);
     const std::string& failure = state.run.recorder.error;

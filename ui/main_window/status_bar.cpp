@@ -27,6 +27,8 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
     file_ = addChip(*row, tr("FILE"));
     position_ = addChip(*row, tr("POSITION"));
     speed_ = addChip(*row, tr("SPEED"));
+    tracker_ = addChip(*row, tr("TRACKER"));
+    control_ = addChip(*row, tr("CONTROL"));
     link_ = addChip(*row, tr("LINK"));
     sonar_ = addChip(*row, tr("SONAR"));
     heading_ = addChip(*row, tr("HDG"));
@@ -67,6 +69,7 @@ void StatusBar::setMode(Mode mode) {
     layout()->setContentsMargins(mode == Mode::Replay ? word_lines * fontMetrics().height() : 0, 0, 0, 0);
     for (StatusChip* chip : {file_, position_, speed_}) chip->setVisible(mode != Mode::Live);
     for (StatusChip* chip : {link_, sonar_, heading_, recording_}) chip->setVisible(mode == Mode::Live);
+    for (StatusChip* chip : {tracker_, control_}) chip->setVisible(false);  // until the state says that there is one
     rate_clock_.invalidate();
     update();
 }

@@ -48,6 +48,7 @@ private:
     enum class Mode { Nothing, Replay, Live };
     void setMode(Mode mode);
     void showLink(const LiveState& state);
+    void showTracker(const std::optional<TrackerState>& tracker);
     void showSonar(const LiveState& state);
     void showHeading(const LiveState& state, double longest_gap_s);
     void showRecording(const RecorderStatus& recorder);
@@ -57,6 +58,8 @@ private:
     StatusChip* file_ = nullptr;
     StatusChip* speed_ = nullptr;
     StatusChip* position_ = nullptr;
+    StatusChip* tracker_ = nullptr;
+    StatusChip* control_ = nullptr;
     StatusChip* link_ = nullptr;
     StatusChip* sonar_ = nullptr;
     StatusChip* heading_ = nullptr;

@@ -20,6 +20,7 @@ QString gigabytes(std::uint64_t bytes) { return Formatter::withUnit(static_cast<
 
 void StatusBar::showLive(const LiveState& state, double longest_heading_gap_s) {
     if (mode_ != Mode::Live) setMode(Mode::Live);
+    showTracker(state.tracker);
     showLink(state);
     showSonar(state);
     showHeading(state, longest_heading_gap_s);
@@ -44,6 +45,39 @@ void StatusBar::showSonar(const LiveState& state) {
     sonar_->show(fresh ? Health::Good : Health::Degraded, headStateTitle(state.head.state), detail.join("  "));
     sonar_->setToolTip(state.head.advice.empty() ? QString::fromStdString(state.head.head)
                                                  : QString::fromStdString(state.head.advice));
+}
+
+void StatusBar::showTracker(const std::optional<TrackerState>& tracker) {
+    for (StatusChip* chip : {tracker_, control_}) chip->setVisible(tracker.has_value());
+    link_->setVisible(!tracker);  // the head's own link is the tracker's affair; SONAR says how the head is
+    if (!tracker) return;
+    const bool fresh = tracker->link.age_s && *tracker->link.age_s < old_bytes_s;
+    QStringList detail{ageText(tracker->link.age_s)};
+    if (fresh && tracker->latency_s) detail << Formatter::withUnit(1e3 * *tracker->latency_s, 0, "ms");
+    tracker_->show(tracker->link.up && fresh ? Health::Good : Health::Degraded,
+                   !tracker->link.up ? tr("down")
+                   : fresh           ? tr("up")
+                                     : tr("quiet"),
+                   detail.join("  "));
+    QStringList about{tracker->link.reason.isEmpty()
+                          ? tr("Age of the tracker's last message, and how old an echo is when it is here")
+                          : tracker->link.reason + tr("; trying again")};
+    if (!tracker->name.isEmpty()) about << tracker->name;
+    if (tracker->round_trip_s)
+        about << tr("there and back: %1").arg(Formatter::withUnit(1e3 * *tracker->round_trip_s, 0, "ms"));
+    about << tr("messages that did not come: %1").arg(Formatter::count(tracker->gaps));
+    tracker_->setToolTip(about.join('\n'));
+    const bool yours = tracker->link.up && tracker->holds_control;
+    control_->show(yours                       ? Health::Good
+                   : tracker->holder.isEmpty() ? Health::Absent
+                                               : Health::Plain,
+                   yours                       ? tr("yours")
+                   : tracker->holder.isEmpty() ? tr("nobody's")
+                                               : tr("watching"),
+                   !tracker->asking.isEmpty() ? tr("asked for by %1").arg(tracker->asking)
+                   : yours                    ? QString()
+                                              : tracker->holder);
+    control_->setToolTip(tr("Who commands the tracker; ask for it, give it or keep it in the menu Sonar"));
 }
 
 /// Over two seconds: single lines come too unevenly to be read.

@@ -206,6 +206,8 @@ void ConnectionPanel::showLive(const LiveState& state) {
     state_->setText(title);
     show(*identity_, QString::fromStdString(state.head.head));
     QStringList advice;
+    if (state.tracker && !state.tracker->link.up && !state.tracker->link.reason.isEmpty())
+        advice << tr("tracker: %1; trying again").arg(state.tracker->link.reason);
     if (!state.sonar.up && !state.sonar.reason.isEmpty()) advice << state.sonar.reason + tr("; trying again");
     if (state.navigation && !state.navigation->up && !state.navigation->reason.isEmpty())
         advice << tr("navigation: %1; trying again").arg(state.navigation->reason);

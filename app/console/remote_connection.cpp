@@ -1,0 +1,106 @@
+#include "remote_connection.hpp"
+
+#include "app/io/link_health.hpp"
+
+#include <QSysInfo>
+#include <algorithm>
+
+namespace echotrail {
+namespace {
+
+LiveLink shown(const LinkEnd& end, double health_age_s) {
+    LiveLink link{end.up, QString::fromStdString(end.reason), {}};
+    if (end.age_s) link.age_s = *end.age_s + health_age_s;
+    return link;
+}
+
+TrackerState trackerState(const TrackerLinkState& state) {
+    const LinkClientStatus& client = state.client;
+    TrackerState tracker;
+    tracker.link = {state.up, QString::fromStdString(state.reason), state.age_s};
+    tracker.name = QString::fromStdString(client.welcome.tracker.name);
+    if (client.latency) tracker.latency_s = std::chrono::duration<double>(*client.latency).count();
+    if (client.round_trip) tracker.round_trip_s = std::chrono::duration<double>(*client.round_trip).count();
+    tracker.gaps = client.gaps;
+    tracker.holds_control = client.holdsControl();
+    tracker.holder = QString::fromStdString(client.control.holder_name);
+    tracker.asking = QString::fromStdString(client.control.asking_name);
+    tracker.asks_control = state.up && client.control.asking != 0 && client.control.asking == client.welcome.console;
+    return tracker;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LiveSource>> RemoteConnection::make(const QString& address) {
+    auto parsed = parseLinkAddress(address.toStdString());
+    if (!parsed) return Error{"'" + address.toStdString() + "' is no address of a tracker; say tcp://HOST:PORT"};
+    if (parsed->kind != LinkAddress::Kind::Tcp || parsed->port == 0)
+        return Error{"a tracker is reached at tcp://HOST:PORT"};
+    return std::unique_ptr<LiveSource>(std::make_unique<RemoteConnection>(*parsed));
+}
+
+RemoteConnection::RemoteConnection(const LinkAddress& address)
+    : link_(address, {QSysInfo::machineHostName().toStdString(), "echotrail-console " ECHOTRAIL_VERSION}) {
+    thread_.setObjectName("tracker link");
+    link_.moveToThread(&thread_);
+}
+
+RemoteConnection::~RemoteConnection() {
+    if (!thread_.isRunning()) return;
+    QMetaObject::invokeMethod(
+        &link_, [this] { link_.close(); }, Qt::BlockingQueuedConnection);
+    thread_.quit();
+    thread_.wait();
+}
+
+void RemoteConnection::start() {
+    thread_.start();
+    QMetaObject::invokeMethod(&link_, [this] { link_.open(); });
+}
+
+void RemoteConnection::setParams(const LiveRunner::Params& params) {
+    QMetaObject::invokeMethod(&link_, [this, params] { link_.setParams(params); });
+}
+
+void RemoteConnection::designate(double range_m, Bearing from_bow) {
+    QMetaObject::invokeMethod(&link_, [this, range_m, from_bow] { link_.designate(range_m, from_bow); });
+}
+
+void RemoteConnection::clearDesignation() {
+    QMetaObject::invokeMethod(&link_, [this] { link_.clearDesignation(); });
+}
+
+void RemoteConnection::control(TrackerControl action) {
+    ControlAction wanted = ControlAction::Ask;
+    if (action == TrackerControl::Give) wanted = ControlAction::Give;
+    if (action == TrackerControl::Keep) wanted = ControlAction::Keep;
+    if (action == TrackerControl::Take) wanted = ControlAction::Take;
+    QMetaObject::invokeMethod(&link_, [this, wanted] { link_.control(wanted); });
+}
+
+std::optional<LiveNotice> RemoteConnection::takeNotice() {
+    const auto notice = link_.takeNotice();
+    if (!notice) return std::nullopt;
+    return LiveNotice{QString::fromStdString(notice->text), !notice->problem};
+}
+
+LiveState RemoteConnection::state() const {
+    const TrackerLinkState link = link_.state();
+    const LinkHealth& health = link.health;
+    const auto age_of = [&](const std::optional<Timestamp>& moment) -> std::optional<double> {
+        if (!moment || !link.tracker_time) return std::nullopt;
+        return std::max(0.0, secondsBetween(*moment, *link.tracker_time));
+    };
+    const bool told = health.time != Timestamp{};
+    const double health_age_s = told ? age_of(health.time).value_or(0.0) : 0.0;
+    LiveState state{.sonar = shown(health.sonar, health_age_s),
+                    .head = headStatusFrom(health, link.params.head),
+                    .run = liveStatusFrom(health)};
+    if (health.navigation) state.navigation = shown(*health.navigation, health_age_s);
+    state.ping_age_s = age_of(link.last_ping);
+    state.heading_age_s = age_of(health.heading_time);
+    state.tracker = trackerState(link);
+    return state;
+}
+
+}  // namespace echotrail

@@ -1,0 +1,120 @@
+#include "app/console/live_connection.hpp"
+#include "app/io/console_server.hpp"
+#include "core/runtime/link_moment.hpp"
+#include "qt_environment.hpp"
+#include "tests/core/link/sample_values.hpp"
+#include "ui/main_window/main_window.hpp"
+#include "ui/main_window/message_strip.hpp"
+#include "ui/main_window/stale_banner.hpp"
+#include "ui/main_window/status_chip.hpp"
+#include "ui/panels/connection/connection_panel.hpp"
+#include "ui/panels/connection/head_controls.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QTest>
+
+namespace echotrail {
+namespace {
+
+using test::await;
+
+Timestamp clockNow() { return std::chrono::time_point_cast<Microseconds>(std::chrono::system_clock::now()); }
+
+/// A tracker with one track, in this process.
+struct Tracker {
+    explicit Tracker(const std::string& where = "tcp://127.0.0.1:0")
+        : server({"vehicle", "test"}, namedValues({}), clockNow,
+                 [this](const LinkRequest& request) { return answer(request); }) {
+        address = server.listen(parseLinkAddress(where).value()).value();
+        server.publish(test::sampleHealth());
+        for (std::uint64_t i = 0; i < 40; ++i) {
+            LinkMoment moment = test::sampleMoment(i, 0.05 * static_cast<double>(i));
+            moment.beam->ping.time = moment.beam->update.time = clockNow();
+            moment.beam->ping.bearing = Bearing::degrees(-30.0 + 1.8 * static_cast<double>(i % 20));
+            server.publish(std::move(moment));
+        }
+        server.flush();
+    }
+    Result<std::optional<std::vector<NamedValue>>> answer(const LinkRequest& request) {
+        last = request;
+        const auto* wanted = std::get_if<LinkSetParameters>(&request.content);
+        if (!wanted) return std::optional<std::vector<NamedValue>>();
+        if (auto set = setNamedValues(params, wanted->values); !set) return Error{set.error()};
+        return std::optional(namedValues(params));
+    }
+    QString text() const { return QString::fromStdString(toText(address)); }
+
+    ScanningSonarPipeline::Params params;
+    std::optional<LinkRequest> last;
+    ConsoleServer server;
+    LinkAddress address;
+};
+
+class TrackerMode : public testing::Test {
+protected:
+    TrackerMode() {
+        window_.resize(1600, 1000);
+        window_.show();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&window_));
+    }
+    bool follows(const QString& address) {
+        window_.openTracker(address);
+        return await([&] { return window_.bridge().scene() && chip("TRACKER").contains("up"); });
+    }
+    QString chip(const QString& label) {
+        for (const auto* each : window_.findChildren<StatusChip*>())
+            if (each->isVisible() && each->accessibleName().startsWith(label + " ")) return each->accessibleName();
+        return {};
+    }
+    MainWindow window_{{.remember = false, .live = liveAccess()}};
+};
+
+TEST_F(TrackerMode, TheWindowShowsWhatTheTrackerSees) {
+    Tracker tracker;
+    ASSERT_TRUE(follows(tracker.text()));
+    EXPECT_TRUE(window_.bridge().isTracker());
+    EXPECT_EQ(window_.bridge().scene()->tracks.size(), 1U);
+    EXPECT_FALSE(window_.bridge().scene()->fan.empty());
+    EXPECT_TRUE(await([&] { return chip("CONTROL").contains("yours"); })) << chip("CONTROL").toStdString();
+    EXPECT_TRUE(chip("SONAR").contains("scanning")) << chip("SONAR").toStdString();
+    EXPECT_TRUE(chip("LINK").isEmpty()) << "that is of a head at this computer";
+    EXPECT_TRUE(window_.stale().text().isEmpty());
+}
+
+TEST_F(TrackerMode, AnEditGoesToTheTrackerAndAnothersComesBackIntoTheForm) {
+    Tracker tracker;
+    ASSERT_TRUE(follows(tracker.text()));
+    ASSERT_TRUE(await([&] { return chip("CONTROL").contains("yours"); }));
+    Q_EMIT window_.connection().controls().edited("range_m", "20");
+    ASSERT_TRUE(await([&] { return tracker.params.head.range_m == 20.0; }));
+    window_.bridge().designate(15.0, 0.1);
+    ASSERT_TRUE(await([&] { return tracker.last && std::holds_alternative<LinkDesignate>(tracker.last->content); }));
+    window_.bridge().close();
+    EXPECT_EQ(window_.bridge().params().head.range_m, 50.0) << "this console's own again";
+}
+
+TEST_F(TrackerMode, ALostLinkLooksLostAndHealsByItself) {
+    auto tracker = std::make_unique<Tracker>();
+    const QString address = tracker->text();
+    ASSERT_TRUE(follows(address));
+    tracker.reset();
+    ASSERT_TRUE(await([&] { return window_.stale().text().contains("LINK LOST"); }));
+    EXPECT_TRUE(chip("TRACKER").contains("down")) << chip("TRACKER").toStdString();
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+    EXPECT_EQ(window_.bridge().scene()->tracks.size(), 1U) << "what was known can still be read";
+    tracker = std::make_unique<Tracker>(address.toStdString());
+    ASSERT_TRUE(await([&] { return chip("TRACKER").contains("up") && window_.stale().text().isEmpty(); }));
+}
+
+TEST_F(TrackerMode, WhatIsNoAddressIsRefused) {
+    for (const char* address : {"", "vehicle", "serial:///dev/ttyUSB0", "udp://127.0.0.1:7000", "tcp://127.0.0.1:0"}) {
+        window_.openTracker(address);
+        EXPECT_FALSE(window_.bridge().isOpen()) << address;
+        EXPECT_TRUE(window_.messages().text().startsWith("Not connected")) << address;
+    }
+}
+
+}  // namespace
+}  // namespace echotrail
