@@ -25,8 +25,13 @@ void PipelineBridge::openRecording(const QString& path) {
     RecordingOptions options;
     const double speed_of_sound = params_.head.sound_speed;
     if (speed_of_sound != HeadSettings{}.sound_speed) options.sound_speed_mps = speed_of_sound;  // else the file's own
-    open(QFileInfo(path).fileName(),
-         [path = path.toStdString(), options] { return echotrail::openRecording(path, options); });
+    const bool as_recorded = !overrides_recorded_;
+    open(QFileInfo(path).fileName(), [path = path.toStdString(), options, as_recorded]() -> SourceOpener::Outcome {
+        auto opened = echotrail::openRecording(path, as_recorded ? RecordingOptions{} : options);
+        // A run that was recorded brings its own speed of sound, like all its parameters.
+        if (!as_recorded || !opened || !options.sound_speed_mps || (*opened)->recordedRun()) return opened;
+        return echotrail::openRecording(path, options);
+    });
 }
 
 void PipelineBridge::openDemonstration() {
@@ -116,13 +121,26 @@ void PipelineBridge::announce() {
 void PipelineBridge::adopt(std::unique_ptr<PingSource> source) {
     clear();
     info_ = source->info();
-    runner_ = std::make_unique<ReplayRunner>(std::move(source), params_, seed_);
+    startReplay(std::move(source));
     runner_->setSpeed(speed_);
     runner_->setEnhanced(enhanced_);
     announce();
 }
 
+void PipelineBridge::startReplay(std::unique_ptr<PingSource> source) {
+    const auto run = overrides_recorded_ ? std::nullopt : source->recordedRun();
+    Params recorded;
+    if (!run || !applyRecordedParameters(recorded, run->parameters)) {
+        runner_ = std::make_unique<ReplayRunner>(std::move(source), params_, seed_);
+        return;
+    }
+    own_params_ = params_;
+    runner_ = std::make_unique<ReplayRunner>(std::move(source), recorded, run->seed, true);
+    adoptParams(recorded);
+}
+
 void PipelineBridge::setParams(const Params& params) {
+    if (runner_) own_params_.reset();  // what someone sets while looking at a recording is meant to stay
     params_ = params;
     ++revision_;
     if (runner_) runner_->setParams(params_, revision_);
@@ -151,6 +169,7 @@ void PipelineBridge::poll() {
         timeline_ = std::move(*timeline);
         Q_EMIT timelineChanged(timeline_);
     }
+    if (const auto params = runner_->recordedParams().take(); params && isAsRecorded()) adoptParams(*params);
     if (auto scene = runner_->scenes().take()) showScene(std::move(*scene));
     if (auto status = runner_->status(); status != status_) {
         status_ = std::move(status);

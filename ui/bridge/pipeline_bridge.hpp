@@ -38,7 +38,12 @@ public:
     /// tracker's; afterwards those of before.
     void openTracker(const QString& address);
     bool canFollow() const { return live_access_.open_tracker != nullptr; }
-    bool isTracker() const { return own_params_.has_value(); }
+    bool isTracker() const { return live_ && own_params_; }
+    /// Parameters and seed are those of the run that was recorded, as they were at each ping: until someone sets others.
+    /// When the recording is closed those of before are back.
+    bool isAsRecorded() const { return runner_ && own_params_; }
+    /// What is set counts for recordings too, whatever was in force when they were made.
+    void setOverridesRecorded(bool on) { overrides_recorded_ = on; }
     void control(TrackerControl action);
     void close();
 
@@ -96,6 +101,7 @@ Q_SIGNALS:
 private:
     void pollOpening();
     void adopt(std::unique_ptr<PingSource> source);
+    void startReplay(std::unique_ptr<PingSource> source);
     /// Ends what is open; says nothing.
     void clear();
     void announce();
@@ -109,7 +115,8 @@ private:
     QString opening_name_;
     SourceInfo info_;
     Params params_;
-    std::optional<Params> own_params_;  ///< of this console, while a tracker is followed
+    bool overrides_recorded_ = false;
+    std::optional<Params> own_params_;  ///< of this console, while a tracker or a recorded run has others in force
     std::uint64_t revision_ = 0;
     std::uint64_t seed_ = 0;
     double speed_ = 1.0;

@@ -180,7 +180,6 @@ void MainWindow::connectBridge() {
         showStart(true);
     });
     connect(&bridge_, &PipelineBridge::liveChanged, this, &MainWindow::onLive);
-    connect(&bridge_, &PipelineBridge::paramsAdopted, this, [this] { parameters_->showParams(); });
     connect(&bridge_, &PipelineBridge::sceneChanged, this, &MainWindow::onScene);
     connect(&bridge_, &PipelineBridge::statusChanged, this, &MainWindow::onStatus);
     onStatus({});
