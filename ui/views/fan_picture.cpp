@@ -82,7 +82,7 @@ QList<BadgeLine> cursorLines(const FanMoment& moment, const Palette& p) {
         const bool held = moment.sector->isHeld();
         lines << BadgeLine{
             {text("Sector "), p.graticule},
-            {Formatter::withUnit(moment.sector->sector().width_deg, 1, "°"), p.caution, true},
+            {Formatter::number(moment.sector->sector().width_deg, 1) + "°", p.caution, true},
             {"  " + (held ? text("Enter or let go commands, Esc gives up") : text("commanded, not confirmed")),
              p.mark}};
     }
