@@ -16,10 +16,10 @@ void addTrackOptions(CLI::App& command, TrackArguments& a) {
     auto* record = command.add_option(
         "--record", a.record, "Log to write (default: $XDG_DATA_HOME/echotrail/recordings/, named by the time; UTC)");
     command.add_flag("--no-record", a.no_record, "Keep nothing")->excludes(record);
-    command.add_option("--report", a.report,
-                       "Motion controller: udp://HOST:PORT or tcp://HOST:PORT gets the target as JSON lines at every "
-                       "update and at 10 Hz between; with ?format=nmea as TTM sentences, and TLL where GGA or RMC "
-                       "say where on earth");
+    command.add_option(
+        "--report", a.report,
+        "Motion controller: udp://HOST:PORT or tcp://HOST:PORT gets the target as JSON lines at every "
+        "update and at 10 Hz between; with ?format=nmea as TTM sentences, and TLL where GGA or RMC say where on earth");
     command.add_option("--serve", a.serve,
                        "Consoles are served at tcp://127.0.0.1:PORT (0: any free port); only this machine's own "
                        "addresses are taken");
