@@ -113,7 +113,8 @@ TEST_P(LiveProgram, ItsRecordingGivesTheSameTracks) {
     EXPECT_EQ(run({"info", log}).exit_code, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Channels, LiveProgram, testing::Values("tcp://127.0.0.1:0", "udp://127.0.0.1:0", "pty", "simulation://demo?seed=3"));
+INSTANTIATE_TEST_SUITE_P(Channels, LiveProgram,
+                         testing::Values("tcp://127.0.0.1:0", "udp://127.0.0.1:0", "pty", "simulation://demo?seed=3"));
 
 using LiveRecording = LiveProgram;
 
@@ -144,7 +145,8 @@ TEST_F(LiveRecording, TheSignalToEndClosesTheLogAndWritesTheSummary) {
 }
 
 TEST(LiveUsage, WrongAddressesAreSaidInOneLine) {
-    for (const char* sonar : {"tcp://nowhere", "serial://ttyUSB0", "a.V4LOG", "udp://h:99999", "simulation://atlantis"}) {
+    for (const char* sonar :
+         {"tcp://nowhere", "serial://ttyUSB0", "a.V4LOG", "udp://h:99999", "simulation://atlantis"}) {
         const Outcome outcome = run({"track", "--sonar", sonar, "--no-record"});
         EXPECT_EQ(outcome.exit_code, 2) << sonar;
         EXPECT_TRUE(isOneLine(outcome.errors)) << outcome.errors;
