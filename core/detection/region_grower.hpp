@@ -44,7 +44,8 @@ struct Described<RegionGrowerParams> {
         Field{&P::merge_saddle_db, "merge_saddle_db", "dB", 0, 30,
               "Between merged regions the level stays within this of the lower peak"},
         Field{&P::merge_peak_drop_db, "merge_peak_drop_db", "dB", 0, 80,
-              "… and their peaks differ by no more: what is fainter is a wake, a ghost or a side lobe, not the same thing"},
+              "… and their peaks differ by no more: what is fainter is a wake, a ghost or a side lobe, not the same "
+              "thing"},
         Field{&P::min_pixels, "min_pixels", "pixels", 1, 200, "Smaller regions are dropped"},
         Field{&P::max_area_m2, "max_area_m2", "m²", 0.1, 500, "Larger regions are clutter masses, not targets"},
         Field{&P::reseed_contrast_db, "reseed_contrast_db", "dB", 3, 40,

@@ -8,8 +8,8 @@
 namespace echotrail {
 namespace {
 
-constexpr double no_track_s = 30.0;       // without a track of the target the operator waits this long
-constexpr double wrong_track_s = 60.0;    // … and this long while the track is far from the target
+constexpr double no_track_s = 30.0;         // without a track of the target the operator waits this long
+constexpr double wrong_track_s = 60.0;      // … and this long while the track is far from the target
 constexpr double wrong_track_share = 0.15;  // of the range scale: "far", the published limit of acceptance
 constexpr int followed_target = 0;
 
@@ -87,23 +87,34 @@ TrialResult run(PingSource& source, const Truth& truth, const Scenario* scenario
 
 std::string_view toText(LookOutcome outcome) {
     switch (outcome) {
-        case LookOutcome::Correct: return "correct";
-        case LookOutcome::Coasted: return "coasted";
-        case LookOutcome::Wrong: return "wrong";
-        case LookOutcome::Absent: return "absent";
+        case LookOutcome::Correct:
+            return "correct";
+        case LookOutcome::Coasted:
+            return "coasted";
+        case LookOutcome::Wrong:
+            return "wrong";
+        case LookOutcome::Absent:
+            return "absent";
     }
     return "";
 }
 
 std::string_view toText(LossCause cause) {
     switch (cause) {
-        case LossCause::None: return "none";
-        case LossCause::NotYetConfirmed: return "not yet confirmed";
-        case LossCause::UnderThreshold: return "under the threshold";
-        case LossCause::Merged: return "merged with clutter";
-        case LossCause::OutscoredByClutter: return "out-scored by clutter";
-        case LossCause::NavigationGap: return "navigation gap";
-        case LossCause::HeadRestarted: return "pings missing";
+        case LossCause::None:
+            return "none";
+        case LossCause::NotYetConfirmed:
+            return "not yet confirmed";
+        case LossCause::UnderThreshold:
+            return "under the threshold";
+        case LossCause::Merged:
+            return "merged with clutter";
+        case LossCause::OutscoredByClutter:
+            return "out-scored by clutter";
+        case LossCause::NavigationGap:
+            return "navigation gap";
+        case LossCause::HeadRestarted:
+            return "pings missing";
     }
     return "";
 }

@@ -26,18 +26,18 @@ std::string_view toText(LookOutcome outcome);
 /// Why an opportunity was not used correctly.
 enum class LossCause {
     None,
-    NotYetConfirmed,    ///< the track was taken up, but was not confirmed by then
-    UnderThreshold,     ///< no region grew where the target was
-    Merged,             ///< the target's echo was part of a clutter mass or of a region about something else
-    OutscoredByClutter, ///< the target's region was there, and another was taken, or none
-    NavigationGap,      ///< poses were missing when the beam was there
-    HeadRestarted       ///< pings were missing in the sweep
+    NotYetConfirmed,     ///< the track was taken up, but was not confirmed by then
+    UnderThreshold,      ///< no region grew where the target was
+    Merged,              ///< the target's echo was part of a clutter mass or of a region about something else
+    OutscoredByClutter,  ///< the target's region was there, and another was taken, or none
+    NavigationGap,       ///< poses were missing when the beam was there
+    HeadRestarted        ///< pings were missing in the sweep
 };
 std::string_view toText(LossCause cause);
 
 /// One opportunity and what the tracker made of it.
 struct EvaluatedLook {
-    Timestamp time{};           ///< when the beam was on the true target
+    Timestamp time{};  ///< when the beam was on the true target
     LookOutcome outcome = LookOutcome::Absent;
     LossCause cause = LossCause::None;
     double true_range_m = 0.0;  ///< from the head
@@ -50,12 +50,12 @@ struct EvaluatedLook {
 struct EvaluatedOutput {
     Timestamp time{};
     bool seen = false;
-    bool correct = false;                 ///< seen, and the echo was the target's
-    Eigen::Vector2d error_m{0, 0};        ///< estimate − truth, north and east
+    bool correct = false;           ///< seen, and the echo was the target's
+    Eigen::Vector2d error_m{0, 0};  ///< estimate − truth, north and east
     Eigen::Vector2d velocity_error_mps{0, 0};
     Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Identity();
-    double nees = 0.0;                    ///< error over covariance; 2 in the mean where it is honest
-    Eigen::Vector2d estimate_m{0, 0};     ///< places in the local frame, for pictures
+    double nees = 0.0;                 ///< error over covariance; 2 in the mean where it is honest
+    Eigen::Vector2d estimate_m{0, 0};  ///< places in the local frame, for pictures
     Eigen::Vector2d truth_m{0, 0};
 };
 
@@ -80,21 +80,21 @@ struct TrialResult {
     std::string scenario;
     std::uint64_t seed = 0;
     double range_scale_m = 0.0;
-    std::vector<EvaluatedLook> looks;       ///< in time order
-    std::vector<EvaluatedOutput> outputs;   ///< in time order
+    std::vector<EvaluatedLook> looks;      ///< in time order
+    std::vector<EvaluatedOutput> outputs;  ///< in time order
     std::vector<SweepSnapshot> snapshots;
-    int confirmed_tracks = 0;               ///< ever
-    int false_tracks = 0;                   ///< confirmed ones that never followed anything real
-    int debris_tracks = 0;                  ///< confirmed ones on a real object that is no target
-    int target_switches = 0;                ///< the designated track went over to something else, or the pick was renewed
-    int renewed_picks = 0;                  ///< the operator had to point again
+    int confirmed_tracks = 0;  ///< ever
+    int false_tracks = 0;      ///< confirmed ones that never followed anything real
+    int debris_tracks = 0;     ///< confirmed ones on a real object that is no target
+    int target_switches = 0;   ///< the designated track went over to something else, or the pick was renewed
+    int renewed_picks = 0;     ///< the operator had to point again
     std::optional<double> confirmed_after_s;  ///< from the first opportunity to the first correct confirmed look
     double data_s = 0.0;
-    double processing_s = 0.0;              ///< of the pipeline alone, where the caller measured it
+    double processing_s = 0.0;  ///< of the pipeline alone, where the caller measured it
     std::uint64_t pings = 0;
-    double mean_contrast_db = 0.0;          ///< of the target's own regions: signal to clutter
-    int sweeps_outside_sector = 0;          ///< no opportunities: the target was outside what was scanned
-    int sweeps_unfinished = 0;              ///< no opportunities: the data ended before the beam came by
+    double mean_contrast_db = 0.0;  ///< of the target's own regions: signal to clutter
+    int sweeps_outside_sector = 0;  ///< no opportunities: the target was outside what was scanned
+    int sweeps_unfinished = 0;      ///< no opportunities: the data ended before the beam came by
 };
 
 /// Runs the pipeline over a simulation with an operator who points at the target's true place at the start, and again

@@ -20,7 +20,7 @@ constexpr double object_reach_m = 2.0;
 constexpr double looked_at_steps = 0.75;  // the beam came this near to the target's bearing, in steps between pings
 constexpr double longest_delay_s = 20.0;  // a look further than this from every opportunity belongs to none
 constexpr Microseconds beam_passage{1'000'000};
-constexpr double break_factor = 3.0;      // pings this many intervals apart: some are missing
+constexpr double break_factor = 3.0;  // pings this many intervals apart: some are missing
 
 bool isNear(double range_m, Bearing bearing, double true_range_m, Bearing true_bearing, double reach_m) {
     const double across = std::max(own_reach_rad * true_range_m, reach_m / 2.0);
@@ -210,8 +210,7 @@ EvaluatedLook TrialJudge::judgeOpportunity(const Opportunity& opportunity, std::
         if (judged.outcome == LookOutcome::Absent || outcome == LookOutcome::Correct) judged.outcome = outcome;
     }
     for (const Labelled& region : regionsAbout(opportunity.time))
-        if (region.target == followed_target)
-            judged.target_db = std::max(judged.target_db, region.contrast_db);
+        if (region.target == followed_target) judged.target_db = std::max(judged.target_db, region.contrast_db);
     judged.cause = causeOf(opportunity, judged, tentative);
     return judged;
 }

@@ -33,7 +33,7 @@ private:
     /// The beam's nearest approach to the followed target in a sweep.
     struct Opportunity {
         Timestamp time{};
-        double off_rad = 10.0;   ///< of the beam from the target
+        double off_rad = 10.0;  ///< of the beam from the target
         double step_rad = 0.0;
         bool visible = false;
         bool pings_missing = false;
@@ -45,8 +45,8 @@ private:
     struct Labelled {
         Timestamp time{};
         Eigen::Vector2d position_m{0, 0};
-        int target = -1;         ///< number of the target; -1: of none
-        bool on_object = false;  ///< debris
+        int target = -1;            ///< number of the target; -1: of none
+        bool on_object = false;     ///< debris
         bool holds_target = false;  ///< the followed target's place is inside it
         bool clutter_mass = false;
         double contrast_db = 0.0;
@@ -72,14 +72,14 @@ private:
     const Scenario* scenario_;
     SourceInfo source_;
     std::vector<Debris> debris_;
-    Opportunity now_;                          ///< of the sweep under way
+    Opportunity now_;  ///< of the sweep under way
     std::vector<Opportunity> opportunities_;
     std::vector<Labelled> regions_;
     std::vector<TrackLook> looks_;
     std::vector<TimedPose> told_;
     std::vector<SweepSnapshot> snapshots_;
     Timestamp last_ping_{};
-    double interval_s_ = 0.0;                  ///< between pings, as it usually is
+    double interval_s_ = 0.0;  ///< between pings, as it usually is
     int outside_ = 0;
 };
 

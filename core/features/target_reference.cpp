@@ -91,10 +91,10 @@ void TargetReference::average(const RegionFeatures& seen, const RegionFeatures& 
 }
 
 double likeness(const RegionFeatures& seen, const RegionFeatures& expected, const LikenessParams& params) {
-    const double area = (params.reference == ReferenceForm::Scaled
-                             ? std::log(seen.area_m2 / expected.area_m2)
-                             : (seen.area_m2 - expected.area_m2) / expected.area_m2) /
-                        params.area_sigma;
+    const double area =
+        (params.reference == ReferenceForm::Scaled ? std::log(seen.area_m2 / expected.area_m2)
+                                                   : (seen.area_m2 - expected.area_m2) / expected.area_m2) /
+        params.area_sigma;
     const double moment = (seen.moment - expected.moment) / params.moment_sigma;
     const double area_score = std::exp(-0.5 * area * area);
     const double moment_score = std::exp(-0.5 * moment * moment);

@@ -17,11 +17,10 @@ bool isInside(const Eigen::Vector2f& point, std::span<const Eigen::Vector2f> pol
     return inside;
 }
 
-LookupUpdate lookupUpdate(const GaussianState& prior, std::span<const ScoredArea> areas, int particles,
-                          double floor_m, RandomStream stream, ParticleCloud* cloud) {
+LookupUpdate lookupUpdate(const GaussianState& prior, std::span<const ScoredArea> areas, int particles, double floor_m,
+                          RandomStream stream, ParticleCloud* cloud) {
     LookupUpdate update{.posterior = {prior, 0.0, 0.0, true}, .share = std::vector<double>(areas.size(), 0.0)};
-    const Eigen::Matrix2d spread =
-        withEigenvalueFloor(prior.covariance.topLeftCorner<2, 2>(), floor_m * floor_m);
+    const Eigen::Matrix2d spread = withEigenvalueFloor(prior.covariance.topLeftCorner<2, 2>(), floor_m * floor_m);
     const Eigen::Matrix2d root = lowerRoot(spread);
     std::vector<Eigen::Vector2d> places;
     std::vector<double> weights;

@@ -23,8 +23,8 @@ struct LookupUpdate {
 /// Measurement update as Zhang et al. describe it (method card, section f, form A): particles are drawn from the
 /// prediction, each weighs as much as the score of the area it lies in, and nothing outside. Where all weigh nothing
 /// the cue is lost: `missed`, and the state is the prior. Velocity, which the published state does not have, stays.
-LookupUpdate lookupUpdate(const GaussianState& prior, std::span<const ScoredArea> areas, int particles,
-                          double floor_m, RandomStream stream, ParticleCloud* cloud);
+LookupUpdate lookupUpdate(const GaussianState& prior, std::span<const ScoredArea> areas, int particles, double floor_m,
+                          RandomStream stream, ParticleCloud* cloud);
 
 /// Whether a point lies in a closed polygon (even–odd rule); its corners' pixels count half in, as drawn.
 bool isInside(const Eigen::Vector2f& point, std::span<const Eigen::Vector2f> polygon);

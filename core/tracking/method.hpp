@@ -36,7 +36,8 @@ struct Described<MethodParams> {
                                           "How regions weigh particles: ours, as published, or by place alone"},
         ChoiceField<P, MotionForm, 2>{
             &P::motion, "motion", {"constant_velocity", "random_walk"}, "How objects are taken to move between looks"},
-        Field{&P::random_walk_sigma, "random_walk_sigma", "m/√s", 0.01, 10, "Step of the random walk, where that is used"},
+        Field{&P::random_walk_sigma, "random_walk_sigma", "m/√s", 0.01, 10,
+              "Step of the random walk, where that is used"},
         ChoiceField<P, Births, 2>{
             &P::births, "births", {"everything", "picked"}, "Whether every region may start a track, or only a pick"},
         ChoiceField<P, Sharing, 2>{

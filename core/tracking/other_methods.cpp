@@ -43,9 +43,9 @@ void Tracker::processAsPublished(FollowedTrack& followed, const std::vector<std:
     }
     const Timestamp nearest = std::max(followed.pass.nearestTime(), followed.track.estimate.time);
     const GaussianState prior = predict(followed, nearest);
-    LookupUpdate update = lookupUpdate(prior, areas, params_.filter.particles, params_.filter.position_floor_m,
-                                       RandomStream(seed_, followed.track.id, followed.updates++),
-                                       &followed.track.particles);
+    LookupUpdate update =
+        lookupUpdate(prior, areas, params_.filter.particles, params_.filter.position_floor_m,
+                     RandomStream(seed_, followed.track.id, followed.updates++), &followed.track.particles);
     const Region* region = nullptr;
     if (!update.posterior.missed) {
         const auto best = std::max_element(update.share.begin(), update.share.end()) - update.share.begin();

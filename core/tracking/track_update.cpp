@@ -21,7 +21,7 @@ constexpr std::size_t longest_history = 64;
 constexpr double ghost_near_m = 0.2, ghost_far_m = 4.0, ghost_weaker_db = 3.0, ghost_s = 2.0;
 constexpr double sure_association = 0.9, least_likeness_to_learn = 0.1;
 constexpr double real_claim = 0.2;  // of the strongest claim to a region: less is no competition
-constexpr double one_place = 9.0;  // squared normalised distance
+constexpr double one_place = 9.0;   // squared normalised distance
 
 bool areOnePlace(const Cue& a, const Cue& b) {
     const Eigen::Vector2d apart = a.position_m - b.position_m;
@@ -213,7 +213,8 @@ void Tracker::completePass(FollowedTrack& followed, const std::vector<std::size_
         if (!pairings[k].gated) continue;
         Cue cue = pairings[k].cue;
         // One Gaussian cannot stand for two places: its mean would lie where nothing is. The likelier place is taken.
-        if (echo && params_.method.likelihood == LikelihoodForm::Soft && !areOnePlace(cue, pairings[best].cue)) continue;
+        if (echo && params_.method.likelihood == LikelihoodForm::Soft && !areOnePlace(cue, pairings[best].cue))
+            continue;
         cue.weight *= share(joint[k], alone[k]);
         if (cue.weight > 0) cues.push_back(cue);
     }
@@ -223,20 +224,19 @@ void Tracker::completePass(FollowedTrack& followed, const std::vector<std::size_
     GaussianParticleFilter::Posterior posterior{prior, 1.0 - detection, 0.0, true};
     const double miss_weight = (1.0 - detection) * share(joint_none, alone_none);
     if (!cues.empty())
-        posterior = params_.method.likelihood == LikelihoodForm::Position
-                        ? updateByPlace(prior, miss_weight, cues)
-                        : filter_.update(prior, miss_weight, cues,
-                                         RandomStream(seed_, followed.track.id, followed.updates++),
-                                         &followed.track.particles);
+        posterior =
+            params_.method.likelihood == LikelihoodForm::Position
+                ? updateByPlace(prior, miss_weight, cues)
+                : filter_.update(prior, miss_weight, cues, RandomStream(seed_, followed.track.id, followed.updates++),
+                                 &followed.track.particles);
     const Region* region = echo && !posterior.missed ? &pending_[regions[best]].region : nullptr;
     Pairing taken = region ? pairings[best] : Pairing{};
     if (region) taken.probability = joint[best];
     concludePass(followed, posterior, time, region, taken, !cues.empty(), looks);
 }
 
-void Tracker::concludePass(FollowedTrack& followed, const GaussianParticleFilter::Posterior& posterior,
-                           Timestamp time, const Region* region, const Pairing& pairing, bool had_cues,
-                           std::vector<TrackLook>& looks) {
+void Tracker::concludePass(FollowedTrack& followed, const GaussianParticleFilter::Posterior& posterior, Timestamp time,
+                           const Region* region, const Pairing& pairing, bool had_cues, std::vector<TrackLook>& looks) {
     const bool seen = region != nullptr;
     const double coverage = followed.pass.coverage();
     const LookResult result = seen                             ? LookResult::Seen
@@ -272,9 +272,8 @@ void Tracker::takeEcho(FollowedTrack& followed, const Region& region, const Pair
     track.nis = pairing.nis;
     track.innovation_m = pairing.innovation_m;
     track.seen_features = region.features;
-    const bool alike =
-        track.score > params_.likeness.learning_score ||
-        (pairing.probability > sure_association && track.score > least_likeness_to_learn);
+    const bool alike = track.score > params_.likeness.learning_score ||
+                       (pairing.probability > sure_association && track.score > least_likeness_to_learn);
     const bool trusted = alike && region.clipped_fraction < 0.2 &&
                          track.particles.effective > 0.2 * static_cast<double>(track.particles.weight.size());
     if (trusted) followed.reference.learn(region.features, geometry, params_.likeness.reference_learning);

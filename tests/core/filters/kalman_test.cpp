@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace echotrail {
 namespace {
 
@@ -42,6 +44,25 @@ TEST(Kalman, StaysPositiveUnderVeryPreciseMeasurements) {
     for (int i = 0; i < 100; ++i) state = kalmanUpdate(state, {10.0, -4.0}, 1e-8 * Eigen::Matrix2d::Identity()).state;
     EXPECT_EQ(state.covariance, state.covariance.transpose());
     EXPECT_GE(Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(state.covariance).eigenvalues().minCoeff(), 0.0);
+}
+
+TEST(AssociationUpdate, OneSureCandidateIsTheKalmanUpdate) {
+    const GaussianState prior = someState();
+    const PositionCandidate sure{{10.6, -3.9}, 0.1 * Eigen::Matrix2d::Identity(), 1.0};
+    const GaussianState mixed = associationUpdate(prior, 0.0, std::array{sure});
+    const GaussianState alone = kalmanUpdate(prior, sure.position_m, sure.covariance_m2).state;
+    EXPECT_TRUE(mixed.mean.isApprox(alone.mean, 1e-12));
+    EXPECT_TRUE(mixed.covariance.isApprox(alone.covariance, 1e-12));
+}
+
+TEST(AssociationUpdate, TwoEvenCandidatesSpreadAboutTheirMiddle) {
+    GaussianState prior;
+    const Eigen::Matrix2d noise = Eigen::Matrix2d::Identity();
+    const std::array both{PositionCandidate{{2, 0}, noise, 0.5}, PositionCandidate{{-2, 0}, noise, 0.5}};
+    const GaussianState mixed = associationUpdate(prior, 0.0, both);
+    EXPECT_NEAR(mixed.mean.norm(), 0.0, 1e-12);
+    EXPECT_NEAR(mixed.covariance(0, 0), 0.5 + 1.0, 1e-12);  // each halves the variance and moves half way
+    EXPECT_NEAR(mixed.covariance(1, 1), 0.5, 1e-12);
 }
 
 }  // namespace
