@@ -97,8 +97,6 @@ Result<std::vector<EvaluationPlan::Scene>> scenesOf(const EvaluateArguments& arg
     for (const std::string& name : names) {
         auto scene = sceneNamed(name);
         if (!scene) return Error{scene.error()};
-        if (scene->scenario->targets.empty())  // the truth of a trial holds at least one
-            return Error{name + ": a scene without a target cannot be evaluated yet"};
         scenes.push_back(*std::move(scene));
     }
     return scenes;

@@ -258,7 +258,8 @@ void TrialJudge::conclude(TrialResult& result) {
     std::vector<std::vector<TrackLook>> of(opportunities_.size());
     for (const TrackLook& look : looks_) {
         if (!look.target) continue;
-        if (look.state == TrackState::Confirmed || look.state == TrackState::Coasting)
+        const bool alive = look.state == TrackState::Confirmed || look.state == TrackState::Coasting;
+        if (alive && truth_.at(followed_target, look.time))  // the last echoes may be later than the last sample
             result.outputs.push_back(output(look));
         if (opportunities_.empty()) continue;
         const auto nearest = std::min_element(opportunities_.begin(), opportunities_.end(), [&](auto& a, auto& b) {

@@ -104,6 +104,7 @@ Result<Truth> Truth::read(std::string_view csv, Timestamp start) {
 }
 
 std::optional<Truth::Sample> Truth::at(int target, Timestamp time) const {
+    if (target < 0 || target >= targets()) return std::nullopt;
     const auto& series = samples_[static_cast<std::size_t>(target)];
     const auto next = std::lower_bound(series.begin(), series.end(), time,
                                        [](const Sample& sample, Timestamp t) { return sample.time < t; });

@@ -70,6 +70,16 @@ TEST(Trial, ATargetOutsideTheSectorIsNoOpportunity) {
     EXPECT_GE(result.sweeps_outside_sector, 8);
 }
 
+TEST(Trial, ASeaWithoutTargetsHasNoOpportunities) {
+    Scenario scenario = calm(60);
+    scenario.targets.clear();
+    SimulatedSource source(scenario, 1);
+    const TrialResult result = runTrial(source, {}, 1);
+    EXPECT_TRUE(result.looks.empty());
+    EXPECT_TRUE(result.outputs.empty());
+    EXPECT_EQ(result.confirmed_tracks, 0);
+}
+
 TEST(Trial, IsTheSameEveryTimeAndStopsWhenTold) {
     SimulatedSource source(calm(60), 1);
     const TrialResult once = runTrial(source, {}, 1), again = runTrial(source, {}, 1);
