@@ -59,7 +59,7 @@ public:
     const Params& params() const { return params_; }
 
     /// The operator's pick: the first region or track within max(3 m, 10 % of the range) of this place becomes the
-    /// target, waiting as long as needed. The place is relative to the head at the latest ping (before any: the first).
+    /// target, waiting as long as needed (a stronger one in the same pass goes before). The place is relative to the head at the latest ping (before any: the first).
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
 

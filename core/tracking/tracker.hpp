@@ -113,7 +113,7 @@ public:
     void interestsAt(const BeamMoment& beam, std::vector<RangeOfInterest>& interests) const;
 
     /// The operator points at a place in the local frame; the first region or track within `radius_m` becomes the
-    /// target, waiting as long as needed.
+    /// target, waiting as long as needed. While the beam is still about the place a stronger region takes its turn.
     void designate(const Eigen::Vector2d& position_m, double radius_m);
     void clearDesignation();
 
