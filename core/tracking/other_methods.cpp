@@ -1,4 +1,5 @@
 #include "core/base/random.hpp"
+#include "core/filters/covariance.hpp"
 #include "core/filters/kalman.hpp"
 #include "core/filters/lookup_filter.hpp"
 #include "core/tracking/tracker.hpp"
@@ -7,10 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 // The forms of a track's update that ours is measured against: the published one, and association by place alone.
 namespace echotrail {
+namespace {
+
+constexpr double reach_sigmas = 3.0;  // particles lie no further from the prediction
+
+}  // namespace
 
 /// In the published form a region speaks where a particle lies in it, so every region in reach takes part.
 Tracker::Pairing Tracker::pairAsPublished(const FollowedTrack& followed, const Region& region) const {
@@ -19,7 +24,7 @@ Tracker::Pairing Tracker::pairAsPublished(const FollowedTrack& followed, const R
     const Eigen::Vector2d innovation = region.position_m - prior.mean.head<2>();
     const Eigen::Matrix2d spread = prior.covariance.topLeftCorner<2, 2>();
     const double size = std::max(region.features.across_range_m, region.features.along_range_m);
-    const double reach = 3.0 * std::sqrt(spread.trace()) + size / 2.0;
+    const double reach = reach_sigmas * std::sqrt(spread.trace()) + size / 2.0;
     pairing.gated = innovation.norm() <= reach;
     if (!pairing.gated) return pairing;
     pairing.innovation_m = innovation.norm();
@@ -63,8 +68,7 @@ GaussianParticleFilter::Posterior Tracker::updateByPlace(const GaussianState& pr
     double evidence = miss_weight;
     for (const Cue& cue : cues) {
         const KalmanUpdate update = kalmanUpdate(prior, cue.position_m, cue.covariance_m2);
-        const double density = std::exp(-0.5 * update.nis) /
-                               (2.0 * std::numbers::pi * std::sqrt(update.innovation_covariance_m2.determinant()));
+        const double density = std::exp(logGaussian(update.innovation_m, update.innovation_covariance_m2));
         candidates.push_back({cue.position_m, cue.covariance_m2, cue.weight * density});
         evidence += cue.weight * density;
     }
