@@ -135,12 +135,16 @@ void write(const RegionFeatures& features, wire::Features& out) {
     out.set_along_range_m(features.along_range_m);
     out.set_across_range_m(features.across_range_m);
     out.set_strength_db(features.strength_db);
+    out.set_level_db(features.level_db);
 }
 
 std::optional<RegionFeatures> read(const wire::Features& in) {
-    for (const double value : {in.area_m2(), in.moment(), in.along_range_m(), in.across_range_m(), in.strength_db()})
+    const RegionFeatures features{in.area_m2(),        in.moment(),      in.along_range_m(),
+                                  in.across_range_m(), in.strength_db(), in.level_db()};
+    for (const double value : {features.area_m2, features.moment, features.along_range_m, features.across_range_m,
+                               features.strength_db, features.level_db})
         if (!isSane(value)) return std::nullopt;
-    return RegionFeatures{in.area_m2(), in.moment(), in.along_range_m(), in.across_range_m(), in.strength_db()};
+    return features;
 }
 
 void write(const Region& region, wire::Region& out) {

@@ -33,6 +33,7 @@ void expectEqual(const RegionFeatures& a, const RegionFeatures& b) {
     EXPECT_EQ(a.along_range_m, b.along_range_m);
     EXPECT_EQ(a.across_range_m, b.across_range_m);
     EXPECT_EQ(a.strength_db, b.strength_db);
+    EXPECT_EQ(a.level_db, b.level_db);
 }
 
 void expectEqual(const TrackLook& a, const TrackLook& b) {

@@ -51,7 +51,7 @@ inline Region sampleRegion(std::uint32_t id = 3, double seconds = 3.25) {
     region.head = {1.0, 2.0, Bearing::degrees(45.0)};
     region.range_m = 15.0;
     region.bearing = Bearing::degrees(-20.0);
-    region.features = {1.25, -0.7, 0.5, 0.75, 18.0};
+    region.features = {1.25, -0.7, 0.5, 0.75, 18.0, 61.0};
     region.peak_db = 60.0;
     region.mean_db = 50.0;
     region.contrast_db = 20.0;
@@ -94,8 +94,8 @@ inline Track sampleTrack(int id = 2, double seconds = 3.0, int particles = 1000)
     track.score = 0.75;
     track.innovation_m = 0.3;
     track.nis = 1.5;
-    track.seen_features = {1.0, -0.5, 0.4, 0.6, 17.0};
-    track.expected_features = {1.1, -0.6, 0.45, 0.65, 16.0};
+    track.seen_features = {1.0, -0.5, 0.4, 0.6, 17.0, 60.0};
+    track.expected_features = {1.1, -0.6, 0.45, 0.65, 16.0, 59.0};
     track.region_of_interest = {1.0, 2.0, Bearing::degrees(5.0), 0.25, 15.0, 25.0};
     for (int i = 0; i < particles; ++i) {
         track.particles.position_m.emplace_back(19.0F + 0.001F * static_cast<float>(i), 3.0F);
