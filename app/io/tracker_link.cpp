@@ -93,6 +93,9 @@ void TrackerLink::takeEvents() {
     while (const auto event = client_.next()) {
         remote_.take(*event);
         if (std::holds_alternative<LinkWelcome>(*event)) reason_.clear();
+        if (std::holds_alternative<LinkSnapshot>(*event))
+            for (const std::string& why : remote_.passedOver())
+                notice(true, "A parameter of the tracker is not shown: " + why + ".");
         if (const auto* reply = std::get_if<LinkReply>(&*event)) takeReply(*reply);
         if (const auto* control = std::get_if<LinkControl>(&*event)) takeControl(*control);
         if (const auto* line = std::get_if<LinkLog>(&*event); line && line->weight != LinkLog::Weight::Note)

@@ -72,8 +72,9 @@ void RemoteScene::takeClouds(const LinkClouds& clouds) {
 }
 
 void RemoteScene::takeParameters(const LinkParameters& parameters) {
+    passed_over_.clear();
     for (const auto& [name, value] : parameters.values)
-        static_cast<void>(setParameter(params_, name, value));  // a tracker of another version may know others
+        if (const auto set = setParameter(params_, name, value); !set) passed_over_.push_back(set.error());
     fan_.setParams(params_.fan);
 }
 

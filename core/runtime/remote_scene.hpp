@@ -25,6 +25,9 @@ public:
 
     /// As the tracker says them; those it does not know here keep their defaults.
     const Params& params() const { return params_; }
+    /// Why each of the tracker's parameters that this program cannot show was passed over: a tracker of another version
+    /// may know others.
+    const std::vector<std::string>& passedOver() const { return passed_over_; }
     const LinkHealth& health() const { return health_; }
     std::optional<Timestamp> lastPing() const;
 
@@ -36,6 +39,7 @@ private:
     void takeParameters(const LinkParameters& parameters);
 
     Params params_;
+    std::vector<std::string> passed_over_;
     LinkHealth health_;
     FanProjector fan_{params_.fan};
     SceneBuilder builder_;
