@@ -42,11 +42,6 @@ Result<Truth> truthOf(const EvaluationPlan::Scene& scene, const PingSource& sour
     return Truth::read(scene.truth_csv, source.info().start);
 }
 
-/// Whether the truth says how fast the target is, and not only where it is seen.
-bool knowsVelocity(const EvaluationPlan::Scene& scene) {
-    return scene.scenario || scene.truth_csv.find("velocity") < scene.truth_csv.find('\n');
-}
-
 /// All that the threads of a run share.
 class Trials {
 public:
@@ -109,7 +104,7 @@ private:
     }
 
     void keep(const Job& job, std::size_t column, TrialResult result) {
-        TrialMetrics metrics = measure(result, knowsVelocity(plan_.scenes[job.scene]));
+        TrialMetrics metrics = measure(result);
         const std::lock_guard lock(mutex_);
         finished_[job.scene][column].push_back(std::move(metrics));
         if (job.seed == plan_.first_seed) examples_[job.scene][column] = std::move(result);

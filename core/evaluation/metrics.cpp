@@ -136,12 +136,12 @@ double TrialMetrics::loss() const {
     return opportunities ? 1.0 - static_cast<double>(correct) / static_cast<double>(opportunities) : 0.0;
 }
 
-TrialMetrics measure(const TrialResult& trial, bool velocity_known) {
+TrialMetrics measure(const TrialResult& trial) {
     TrialMetrics metrics{.seed = trial.seed,
                          .range_scale_m = trial.range_scale_m,
                          .data_s = trial.data_s,
                          .pings = trial.pings,
-                         .velocity_known = velocity_known};
+                         .velocity_known = trial.velocity_known};
     addLooks(trial.looks, metrics);
     addOutputs(trial.outputs, metrics);
     addSnapshots(trial.snapshots, metrics);

@@ -70,7 +70,7 @@ struct TrialMetrics {
     double loss() const;  ///< 1 − correct / opportunities; 0 without opportunities
 };
 
-TrialMetrics measure(const TrialResult& trial, bool velocity_known = true);
+TrialMetrics measure(const TrialResult& trial);
 
 /// All trials of one scenario and one set of parameters.
 struct ScenarioSummary {

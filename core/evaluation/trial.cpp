@@ -59,7 +59,10 @@ private:
 TrialResult run(PingSource& source, const Truth& truth, const Scenario* scenario,
                 const ScanningSonarPipeline::Params& params, std::uint64_t seed,
                 const std::function<bool()>& cancelled) {
-    TrialResult result{.scenario = source.info().name, .seed = seed, .range_scale_m = source.info().range_scale_m};
+    TrialResult result{.scenario = source.info().name,
+                       .seed = seed,
+                       .range_scale_m = source.info().range_scale_m,
+                       .velocity_known = truth.hasVelocities()};
     ScanningSonarPipeline pipeline(params, seed);
     pipeline.setFanPainting(false);
     TrialJudge judge(truth, scenario, seed, source.info());

@@ -80,17 +80,17 @@ struct TrialResult {
     std::string scenario;
     std::uint64_t seed = 0;
     double range_scale_m = 0.0;
+    bool velocity_known = true;            ///< a truth as seen from the head holds no velocities
     std::vector<EvaluatedLook> looks;      ///< in time order
     std::vector<EvaluatedOutput> outputs;  ///< in time order
     std::vector<SweepSnapshot> snapshots;
     int confirmed_tracks = 0;  ///< ever
     int false_tracks = 0;      ///< confirmed ones that never followed anything real
     int debris_tracks = 0;     ///< confirmed ones on a real object that is no target
-    int target_switches = 0;   ///< the designated track went over to something else, or the pick was renewed
+    int target_switches = 0;   ///< the designated track went over to something else, and the operator pointed again
     int renewed_picks = 0;     ///< the operator had to point again
     std::optional<double> confirmed_after_s;  ///< from the first opportunity to the first correct confirmed look
-    double data_s = 0.0;
-    double processing_s = 0.0;  ///< of the pipeline alone, where the caller measured it
+    double data_s = 0.0;          ///< span of the source's own time
     std::uint64_t pings = 0;
     double mean_contrast_db = 0.0;  ///< of the target's own regions: signal to clutter
     int sweeps_outside_sector = 0;  ///< no opportunities: the target was outside what was scanned

@@ -103,6 +103,11 @@ Result<Truth> Truth::read(std::string_view csv, Timestamp start) {
     return truth;
 }
 
+bool Truth::hasVelocities() const {
+    return std::all_of(samples_.begin(), samples_.end(),
+                       [](const auto& series) { return series.empty() || series.front().has_place; });
+}
+
 std::optional<Truth::Sample> Truth::at(int target, Timestamp time) const {
     if (target < 0 || target >= targets()) return std::nullopt;
     const auto& series = samples_[static_cast<std::size_t>(target)];

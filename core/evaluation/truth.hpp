@@ -32,6 +32,8 @@ public:
     /// Reads either of the two CSV forms; `start` is the time of the source's first ping. The error names the line.
     static Result<Truth> read(std::string_view csv, Timestamp start);
 
+    /// Whether it says how fast targets are; as seen from the head it does not.
+    bool hasVelocities() const;
     int targets() const { return static_cast<int>(samples_.size()); }
     /// Empty outside the target's samples.
     std::optional<Sample> at(int target, Timestamp time) const;

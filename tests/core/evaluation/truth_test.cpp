@@ -16,6 +16,7 @@ TEST(Truth, IsStraightBetweenSamplesAndNowhereElse) {
     ASSERT_TRUE(truth) << truth.error();
     EXPECT_TRUE(truth->at(0, after(1))->position_m.isApprox(Eigen::Vector2d(11, 2)));
     EXPECT_TRUE(truth->at(0, after(1))->velocity_mps.isApprox(Eigen::Vector2d(1, 1)));
+    EXPECT_TRUE(truth->hasVelocities());
     EXPECT_TRUE(truth->at(0, after(0.5))->visible);
     EXPECT_FALSE(truth->at(0, after(1.5))->visible);
     EXPECT_FALSE(truth->at(0, after(-0.1)));
@@ -26,6 +27,7 @@ TEST(Truth, AsSeenFromTheHeadTurnsTheShortWay) {
     const auto truth = Truth::read("t,target,range_m,bearing_deg,visible\n0,0,10,170,1\n1,0,20,-170,1\n", start);
     ASSERT_TRUE(truth) << truth.error();
     const auto middle = truth->at(0, after(0.5));
+    EXPECT_FALSE(truth->hasVelocities());
     EXPECT_NEAR(middle->range_m, 15, 1e-12);
     EXPECT_NEAR(std::abs(middle->from_bow.inDegrees()), 180, 1e-9);
 }
