@@ -1,6 +1,6 @@
 #include "core/evaluation/trial_judge.hpp"
 
-#include "core/filters/lookup_filter.hpp"
+#include "core/data/polygon.hpp"
 
 #include <Eigen/LU>
 

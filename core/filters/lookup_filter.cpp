@@ -1,21 +1,11 @@
 #include "core/filters/lookup_filter.hpp"
 
+#include "core/data/polygon.hpp"
 #include "core/filters/covariance.hpp"
 
 #include <cmath>
 
 namespace echotrail {
-
-bool isInside(const Eigen::Vector2f& point, std::span<const Eigen::Vector2f> polygon) {
-    bool inside = false;
-    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-        const Eigen::Vector2f &a = polygon[i], &b = polygon[j];
-        if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-        const float crossing = a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-        if (point.x() < crossing) inside = !inside;
-    }
-    return inside;
-}
 
 LookupUpdate lookupUpdate(const GaussianState& prior, std::span<const ScoredArea> areas, int particles, double floor_m,
                           RandomStream stream, ParticleCloud* cloud) {

@@ -26,7 +26,4 @@ struct LookupUpdate {
 LookupUpdate lookupUpdate(const GaussianState& prior, std::span<const ScoredArea> areas, int particles, double floor_m,
                           RandomStream stream, ParticleCloud* cloud);
 
-/// Whether a point lies in a closed polygon (even–odd rule); its corners' pixels count half in, as drawn.
-bool isInside(const Eigen::Vector2f& point, std::span<const Eigen::Vector2f> polygon);
-
 }  // namespace echotrail
