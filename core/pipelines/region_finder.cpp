@@ -14,7 +14,7 @@ constexpr std::uint64_t flank_pings = EchoScreen::closing_pings;
 constexpr double flank_m = 1.0;             // of the tile beyond the strong cells
 constexpr double pixels_per_range = 400.0;  // of the tiles: regions must not depend on the display's fan
 constexpr double same_peak_s = 2.0;         // two candidates that touch show the same region within this time
-constexpr double multipath_near_m = 0.2, multipath_far_m = 3.0, multipath_weaker_db = 6.0;
+constexpr MultipathRule multipath{.farthest_m = 3.0, .weaker_db = 6.0};
 
 int levelsFromDb(double db) { return static_cast<int>(std::lround(db * levels_per_db)); }
 
@@ -192,24 +192,8 @@ int RegionFinder::beamHits(const Region& region, std::uint64_t first, std::uint6
 
 /// An echo at the bearing of a stronger one, a little further off and much weaker, has bounced on its way.
 void RegionFinder::flagMultipath(std::vector<Region>& regions) {
-    for (Region& region : regions) {
-        const auto shadows = [&](const Region& other) {
-            const double beyond = region.range_m - other.range_m;
-            const double apart_m = std::abs(region.bearing - other.bearing) * region.range_m;
-            return other.id != region.id && beyond > multipath_near_m && beyond < multipath_far_m &&
-                   apart_m < std::max(other.features.across_range_m, region.features.across_range_m) / 2.0 &&
-                   other.peak_db - region.peak_db >= multipath_weaker_db &&
-                   std::abs(secondsBetween(other.time, region.time)) < same_peak_s;
-        };
-        region.multipath = region.multipath || std::any_of(regions.begin(), regions.end(), shadows) ||
-                           std::any_of(recent_.begin(), recent_.end(), shadows);
-    }
-    for (const Region& region : regions) {
-        recent_.push_back(region);
-        recent_.back().outline_m.clear();
-    }
-    constexpr std::size_t remembered = 32;
-    while (recent_.size() > remembered) recent_.pop_front();
+    recent_.add(regions);
+    for (Region& region : regions) region.multipath = region.multipath || recent_.explain(region, multipath);
 }
 
 }  // namespace echotrail

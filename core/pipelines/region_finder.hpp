@@ -4,6 +4,7 @@
 #include "core/data/region.hpp"
 #include "core/detection/echo_conditioner.hpp"
 #include "core/detection/echo_screen.hpp"
+#include "core/detection/recent_regions.hpp"
 #include "core/detection/region_grower.hpp"
 #include "core/imaging/filters.hpp"
 #include "core/imaging/ray.hpp"
@@ -85,7 +86,7 @@ private:
     cv::Mat tile_memory_, time_memory_, background_memory_, background_time_memory_;
     Timestamp epoch_{};
     std::deque<FoundPeak> found_;
-    std::deque<Region> recent_;  ///< for telling multipath
+    RecentRegions recent_;  ///< for telling multipath
     std::uint32_t next_id_ = 1;
 };
 

@@ -17,8 +17,7 @@ constexpr double gate_sigmas = 3.0;
 constexpr double clutter_score_memory = 0.9;
 constexpr double looked_at_coverage = 0.5;  // the expected place itself was passed over
 constexpr std::size_t longest_history = 64;
-// Where a ghost lies behind what it is a ghost of, and by how much it is weaker at least (method card, section d).
-constexpr double ghost_near_m = 0.2, ghost_far_m = 4.0, ghost_weaker_db = 3.0, ghost_s = 2.0;
+constexpr MultipathRule ghost{.farthest_m = 4.0, .weaker_db = 3.0};
 constexpr double sure_association = 0.9, least_likeness_to_learn = 0.1;
 constexpr double real_claim = 0.2;  // of the strongest claim to a region: less is no competition
 constexpr double one_place = 9.0;   // squared normalised distance
@@ -81,26 +80,10 @@ RegionFeatures Tracker::expectedFeatures(const FollowedTrack& followed, double r
                                                                : followed.first_features;
 }
 
-void Tracker::remember(const std::vector<Region>& regions) {
-    for (const Region& region : regions) {
-        recent_.push_back(region);
-        recent_.back().outline_m.clear();
-    }
-    while (!recent_.empty() && secondsBetween(recent_.front().time, recent_.back().time) > 2.0 * ghost_s)
-        recent_.pop_front();
-}
-
-/// Whether another region explains this one: a copy by way of bottom or surface comes from the same bearing, a little
-/// later, and weaker.
+/// Whether another region explains this one. What was flagged when it was found is not all: the stronger one may be
+/// completed later. Laxer than the flag is, as it only weighs down.
 bool Tracker::isGhost(const Region& region) const {
-    if (params_.tracking.ghost_weight >= 1.0) return false;
-    return std::any_of(recent_.begin(), recent_.end(), [&](const Region& other) {
-        const double beyond = region.range_m - other.range_m;
-        const double apart_m = std::abs(region.bearing - other.bearing) * region.range_m;
-        return !other.clutter_mass && beyond > ghost_near_m && beyond < ghost_far_m &&
-               other.peak_db - region.peak_db > ghost_weaker_db && apart_m < beam_.beam_width_rad * region.range_m &&
-               std::abs(secondsBetween(other.time, region.time)) < ghost_s;
-    });
+    return params_.tracking.ghost_weight < 1.0 && recent_.explain(region, ghost);
 }
 
 double Tracker::worth(const Pairing& pairing) const {

@@ -33,7 +33,7 @@ void Tracker::setParams(const Params& params) {
 
 void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions, const BeamStillOn& still_on,
                      std::vector<TrackLook>& looks) {
-    remember(regions);
+    recent_.add(regions);
     for (const Region& region : regions) pending_.push_back({region});
     if (beam.turned_round) {
         for (FollowedTrack& followed : followed_) followed.pass.breakOff();
@@ -78,7 +78,7 @@ void Tracker::giveUpUnseen(std::vector<TrackLook>& looks) {
 }
 
 void Tracker::finish(const std::vector<Region>& regions, std::vector<TrackLook>& looks) {
-    remember(regions);
+    recent_.add(regions);
     for (const Region& region : regions) pending_.push_back({region});
     for (FollowedTrack& followed : followed_) followed.pass.breakOff();
     settle([](double, double) { return false; }, looks);

@@ -2,6 +2,7 @@
 
 #include "core/base/parameters.hpp"
 #include "core/detection/echo_screen.hpp"
+#include "core/detection/recent_regions.hpp"
 #include "core/features/target_reference.hpp"
 #include "core/filters/gaussian_particle_filter.hpp"
 #include "core/tracking/association.hpp"
@@ -10,7 +11,6 @@
 #include "core/tracking/track_life.hpp"
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -144,7 +144,6 @@ private:
     GaussianState predict(const FollowedTrack& followed, Timestamp time) const;
     Eigen::Matrix2d measurementCovariance(const Region& region) const;
     EchoGeometry geometryAt(double range_m) const;
-    void remember(const std::vector<Region>& regions);
     bool isGhost(const Region& region) const;
     Pairing pair(const FollowedTrack& followed, const Region& region) const;
     Pairing pairAsPublished(const FollowedTrack& followed, const Region& region) const;
@@ -190,7 +189,7 @@ private:
     BeamMoment beam_;
     std::vector<FollowedTrack> followed_;
     std::vector<PendingRegion> pending_;
-    std::deque<Region> recent_;  ///< what the beam left lately, claimed or not, without outlines
+    RecentRegions recent_;  ///< claimed or not
     std::optional<Designation> designation_;
     int next_id_ = 1;
     std::uint64_t confirmed_ever_ = 0;
