@@ -1,6 +1,7 @@
 #include "core/evaluation/trial_judge.hpp"
 
 #include "core/data/polygon.hpp"
+#include "core/simulation/ground.hpp"
 
 #include <Eigen/LU>
 
@@ -43,8 +44,10 @@ Eigen::Vector2d placeOf(const Truth::Sample& target, const Pose& told) {
 }
 
 TrialJudge::TrialJudge(const Truth& truth, const Scenario* scenario, std::uint64_t seed, const SourceInfo& source)
-    : truth_(truth), scenario_(scenario), source_(source) {
-    if (scenario) debris_ = allDebris(*scenario, seed);
+    : truth_(truth), scenario_(scenario), seed_(seed), source_(source) {
+    if (!scenario) return;
+    debris_ = allDebris(*scenario, seed);
+    rock_above_ = gaussianAbove(scenario->rock_share);
 }
 
 void TrialJudge::take(const Ping& ping, const Update& update) {
@@ -108,12 +111,28 @@ TrialJudge::Labelled TrialJudge::label(const Region& region) const {
 
 bool TrialJudge::isDebris(const Region& region) const {
     if (!scenario_) return false;
-    const Pose vehicle = vehiclePose(*scenario_, secondsBetween(source_.start, region.time));
+    const double time_s = secondsBetween(source_.start, region.time);
+    const Pose vehicle = vehiclePose(*scenario_, time_s);
+    if (scenario_->rock_share > 0.0 && isAtRock(region, vehicle, altitudeAt(*scenario_, time_s))) return true;
     return std::any_of(debris_.begin(), debris_.end(), [&](const Debris& object) {
         const Eigen::Vector2d way(object.north_m - vehicle.north_m, object.east_m - vehicle.east_m);
         const Bearing bearing = Bearing::radians(std::atan2(way.y(), way.x()) - vehicle.heading.inRadians());
         return isNear(region.range_m, region.bearing, way.norm(), bearing, object_reach_m + object.size_m / 2.0);
     });
+}
+
+/// Rock stands where it is and is met again in every sweep: a thing, as debris is.
+bool TrialJudge::isAtRock(const Region& region, const Pose& vehicle, double altitude_m) const {
+    const double out_m = std::sqrt(std::max(region.range_m * region.range_m - altitude_m * altitude_m, 0.0));
+    const double azimuth = vehicle.heading.inRadians() + region.bearing.inRadians();
+    const double along_m = region.features.along_range_m / 2.0, across_m = region.features.across_range_m / 2.0;
+    for (const double l : {-along_m, 0.0, along_m})
+        for (const double a : {-across_m, 0.0, across_m}) {
+            const double north = vehicle.north_m + (out_m + l) * std::cos(azimuth) - a * std::sin(azimuth);
+            const double east = vehicle.east_m + (out_m + l) * std::sin(azimuth) + a * std::cos(azimuth);
+            if (isRock(seed_, north, east, rock_above_)) return true;
+        }
+    return false;
 }
 
 /// The same of a place in the frame of navigation.

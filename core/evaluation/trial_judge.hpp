@@ -59,6 +59,7 @@ private:
     void closeSweep();
     Labelled label(const Region& region) const;
     bool isDebris(const Region& region) const;
+    bool isAtRock(const Region& region, const Pose& vehicle, double altitude_m) const;
     bool isAtDebris(const Eigen::Vector2d& place, const Update& update) const;
     std::span<const Labelled> regionsAbout(Timestamp time) const;
     Pose toldAt(Timestamp time) const;
@@ -70,6 +71,8 @@ private:
 
     const Truth& truth_;
     const Scenario* scenario_;
+    std::uint64_t seed_;
+    double rock_above_ = 0.0;  ///< of the smooth noise
     SourceInfo source_;
     std::vector<Debris> debris_;
     Opportunity now_;  ///< of the sweep under way

@@ -60,6 +60,10 @@ double gaussianAbove(double probability) {
     return low;
 }
 
+bool isRock(std::uint64_t seed, double north_m, double east_m, double rock_above) {
+    return smoothNoise(seed, north_m, east_m) > rock_above;
+}
+
 double groundStrength(const Scenario& scenario, std::uint64_t seed, std::int64_t cell_north, std::int64_t cell_east,
                       double rock_above) {
     double strength = 1.0;
@@ -68,7 +72,7 @@ double groundStrength(const Scenario& scenario, std::uint64_t seed, std::int64_t
     if (scenario.rock_share > 0.0) {
         const double north_m = (static_cast<double>(cell_north) + 0.5) * ground_cell_m;
         const double east_m = (static_cast<double>(cell_east) + 0.5) * ground_cell_m;
-        if (smoothNoise(seed, north_m, east_m) > rock_above) strength *= acoustics::powerOf(scenario.rock_db);
+        if (isRock(seed, north_m, east_m, rock_above)) strength *= acoustics::powerOf(scenario.rock_db);
     }
     return strength;
 }

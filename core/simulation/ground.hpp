@@ -15,6 +15,9 @@ double groundStrength(const Scenario& scenario, std::uint64_t seed, std::int64_t
                       double rock_above);
 inline constexpr double ground_cell_m = 0.5;
 
+/// Whether there is rock at a place of the world.
+bool isRock(std::uint64_t seed, double north_m, double east_m, double rock_above);
+
 /// The bottom along one beam, near to far. The lobe takes in several patches far out: three places across it stand
 /// for them.
 class GroundAlongBeam {

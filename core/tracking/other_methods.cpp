@@ -28,7 +28,7 @@ Tracker::Pairing Tracker::pairAsPublished(const FollowedTrack& followed, const R
     pairing.gated = innovation.norm() <= reach;
     if (!pairing.gated) return pairing;
     pairing.innovation_m = innovation.norm();
-    pairing.nis = innovation.dot((spread + measurementCovariance(region)).inverse() * innovation);
+    pairing.nis = innovation.dot((spread + measurementCovariance(region, region.features)).inverse() * innovation);
     pairing.likeness = likeness(region.features, expectedFeatures(followed, region.range_m), params_.likeness);
     return pairing;
 }

@@ -8,7 +8,7 @@ namespace echotrail {
 struct LifeParams {
     double birth_existence = 0.2;
     double picked_existence = 0.9;
-    double confirm_existence = 0.9;
+    double confirm_existence = 0.99;
     int confirm_looks = 3;
     double lost_existence = 0.05;
     int lost_misses = 4;
@@ -29,7 +29,7 @@ struct Described<LifeParams> {
     static constexpr auto fields = std::tuple{
         Field{&P::birth_existence, "birth_existence", "", 0.01, 0.9, "Probability that a new region is an object"},
         Field{&P::picked_existence, "picked_existence", "", 0.1, 0.999, "The same where the operator pointed at it"},
-        Field{&P::confirm_existence, "confirm_existence", "", 0.5, 0.999,
+        Field{&P::confirm_existence, "confirm_existence", "", 0.5, 0.9999,
               "A track is confirmed above this probability"},
         Field{&P::confirm_looks, "confirm_looks", "looks", 1, 20, "… and with at least this many echoes"},
         Field{&P::lost_existence, "lost_existence", "", 0.001, 0.5, "A track is lost below this probability"},

@@ -19,8 +19,10 @@ constexpr double looked_at_coverage = 0.5;  // the expected place itself was pas
 constexpr std::size_t longest_history = 64;
 constexpr MultipathRule ghost{.farthest_m = 4.0, .weaker_db = 3.0};
 constexpr double sure_association = 0.9, least_likeness_to_learn = 0.1;
-constexpr double real_claim = 0.2;  // of the strongest claim to a region: less is no competition
-constexpr double one_place = 9.0;   // squared normalised distance
+constexpr double real_claim = 0.2;    // of the strongest claim to a region: less is no competition
+constexpr double one_place = 9.0;     // squared normalised distance
+constexpr double merged_area = 1.5;   // of what is expected: a region this large may hold more than one echo
+constexpr double merged_share = 0.3;  // of what is beyond the expected extent: how well the whole places one of them
 
 bool areOnePlace(const Cue& a, const Cue& b) {
     const Eigen::Vector2d apart = a.position_m - b.position_m;
@@ -29,17 +31,22 @@ bool areOnePlace(const Cue& a, const Cue& b) {
 
 }  // namespace
 
-/// Covariance of a region's centroid in the local frame: range and bearing deviations, turned.
-Eigen::Matrix2d Tracker::measurementCovariance(const Region& region) const {
+/// Covariance of a region's centroid in the local frame, along the line of sight and across it. The centroid is known
+/// to a share of the region's own extent, which holds what the beam, the pulse and the object spread it over. What a
+/// region has beyond `expected` may be another echo that has run into the object's, and the centroid is then between
+/// the two.
+Eigen::Matrix2d Tracker::measurementCovariance(const Region& region, const RegionFeatures& expected) const {
     const Eigen::Vector2d sight = region.position_m - Eigen::Vector2d(region.head.north_m, region.head.east_m);
     const double range = std::max(sight.norm(), 0.1);
     const Eigen::Vector2d along = sight / range, across(-along.y(), along.x());
-    const double along_sigma = params_.tracking.range_sigma_m;
-    // Two-way beam: 1/√2 of the one-way width; a Gaussian's full width at half power is 2.355 deviations.
-    const double beam = beam_.beam_width_rad / std::numbers::sqrt2 / 2.355;
+    const auto sigma = [&](double instrument_m, double extent_m, double expected_m) {
+        return std::hypot(instrument_m, params_.tracking.centroid_share * extent_m,
+                          merged_share * std::max(extent_m - expected_m, 0.0));
+    };
     const double heading = radiansFromDegrees(params_.tracking.heading_sigma_deg);
-    const double step = beam_.step_rad / std::sqrt(12.0);
-    const double across_sigma = range * std::sqrt(beam * beam + heading * heading + step * step);
+    const double along_sigma =
+        sigma(params_.tracking.range_sigma_m, region.features.along_range_m, expected.along_range_m);
+    const double across_sigma = sigma(range * heading, region.features.across_range_m, expected.across_range_m);
     return along_sigma * along_sigma * along * along.transpose() +
            across_sigma * across_sigma * across * across.transpose();
 }
@@ -59,7 +66,8 @@ Tracker::Pairing Tracker::pair(const FollowedTrack& followed, const Region& regi
     const Eigen::Matrix2d spread = prior.covariance.topLeftCorner<2, 2>();
     const double reach = params_.tracking.max_speed_mps * since_seen + gate_sigmas * std::sqrt(spread.trace());
     if (innovation.squaredNorm() > reach * reach) return pairing;
-    pairing.cue.covariance_m2 = measurementCovariance(region);
+    const RegionFeatures expected = expectedFeatures(followed, region.range_m);
+    pairing.cue.covariance_m2 = measurementCovariance(region, expected);
     const Eigen::Matrix2d total = spread + pairing.cue.covariance_m2;
     pairing.nis = innovation.dot(total.inverse() * innovation);
     pairing.gated = pairing.nis <= params_.tracking.gate;
@@ -67,7 +75,6 @@ Tracker::Pairing Tracker::pair(const FollowedTrack& followed, const Region& regi
     pairing.innovation_m = innovation.norm();
     pairing.density = std::exp(-0.5 * pairing.nis) / (2.0 * std::numbers::pi * std::sqrt(total.determinant()));
     pairing.cue.position_m = region.position_m;
-    const RegionFeatures expected = expectedFeatures(followed, region.range_m);
     pairing.likeness = likeness(region.features, expected, params_.likeness);
     pairing.likeness *= levelLikeness(region.features.level_db, expected.level_db, params_.likeness);
     pairing.strength_ratio = strengthRatio(region.contrast_db, expected.strength_db, beam_.faintest_db,
@@ -83,16 +90,18 @@ RegionFeatures Tracker::expectedFeatures(const FollowedTrack& followed, double r
 /// Whether another region explains this one. What was flagged when it was found is not all: the stronger one may be
 /// completed later. Laxer than the flag is, as it only weighs down.
 bool Tracker::isGhost(const Region& region) const {
-    return params_.tracking.ghost_weight < 1.0 && recent_.explain(region, ghost);
+    return params_.tracking.ghost_density > 0.0 && recent_.explain(region, ghost);
 }
 
-double Tracker::worth(const Pairing& pairing) const {
-    if (params_.method.likelihood == LikelihoodForm::Position)
-        return params_.tracking.detection_probability / clutterDensity();
+double Tracker::worth(const Pairing& pairing, bool ghost) const {
+    // What else the region may be: clutter, or where a stronger one lies before it, that one's copy. Copies are as
+    // strong as targets, so their strength says nothing.
+    const double others = clutterDensity() + (ghost ? params_.tracking.ghost_density : 0.0);
+    if (params_.method.likelihood == LikelihoodForm::Position) return params_.tracking.detection_probability / others;
     // An echo that is there was detected, however little of the place the beam covered.
     const double floor = params_.likeness.likeness_floor;
-    return params_.tracking.detection_probability / clutterDensity() * (pairing.likeness + floor) /
-           (clutter_score_ + floor) * pairing.strength_ratio;
+    return params_.tracking.detection_probability / others * (pairing.likeness + floor) / (clutter_score_ + floor) *
+           (ghost ? 1.0 : pairing.strength_ratio);
 }
 
 /// Joint association of the cluster, then each track's own update (method card, sections f and g).
@@ -111,8 +120,7 @@ void Tracker::processCluster(const std::vector<std::size_t>& members, const std:
         auto& weights = problem.weight.emplace_back();
         for (const std::size_t j : regions) {
             Pairing pairing = pair(followed, pending_[j].region);
-            pairing.cue.weight = worth(pairing);
-            if (isGhost(pending_[j].region)) pairing.cue.weight *= params_.tracking.ghost_weight;
+            pairing.cue.weight = worth(pairing, isGhost(pending_[j].region));
             weights.push_back(pairing.gated ? existence * pairing.cue.weight * pairing.density : 0.0);
             pairings[m].push_back(pairing);
         }
@@ -120,7 +128,10 @@ void Tracker::processCluster(const std::vector<std::size_t>& members, const std:
     }
     const Association alone = associateAlone(problem);
     Association joint = params_.method.sharing == Sharing::Joint ? associate(problem) : alone;
-    if (params_.method.sharing == Sharing::Joint) settleTies(members, joint);
+    if (params_.method.sharing == Sharing::Joint) {
+        settleTies(members, joint);
+        shareMerged(members, regions, alone, pairings, joint);
+    }
     for (std::size_t k = 0; k < regions.size(); ++k) {
         double claimed = 0, claimed_by_known = 0;
         for (std::size_t m = 0; m < members.size(); ++m) {
@@ -172,6 +183,26 @@ void Tracker::settleTies(const std::vector<std::size_t>& members, Association& j
                 joint.none[m] += claim;
                 claim = 0;
             }
+        }
+    }
+}
+
+/// Echoes that have run into each other are one region, and the joint association gives it to one track alone. Another
+/// proven track that is expected about there, and smaller than it, has its echo in there, too.
+void Tracker::shareMerged(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
+                          const Association& alone, const std::vector<std::vector<Pairing>>& pairings,
+                          Association& joint) const {
+    for (std::size_t m = 0; m < members.size(); ++m) {
+        const FollowedTrack& followed = followed_[members[m]];
+        if (followed.track.state == TrackState::Tentative || joint.none[m] < 0.5) continue;
+        for (std::size_t k = 0; k < regions.size(); ++k) {
+            const Region& region = pending_[regions[k]].region;
+            if (!pairings[m][k].gated || alone.probability[m][k] < 0.5) continue;
+            if (region.features.area_m2 < merged_area * expectedFeatures(followed, region.range_m).area_m2) continue;
+            if (pairings[m][k].nis > one_place) continue;
+            joint.probability[m].assign(regions.size(), 0.0);
+            joint.probability[m][k] = alone.probability[m][k];
+            joint.none[m] = 1.0 - alone.probability[m][k];
         }
     }
 }

@@ -226,7 +226,7 @@ void Tracker::bear(const Region& region, std::vector<TrackLook>& looks) {
                  speed = params_.tracking.initial_speed_sigma_mps;
     track.estimate.covariance.setZero();
     track.estimate.covariance.diagonal() << position * position, position * position, speed * speed, speed * speed;
-    track.estimate.covariance.topLeftCorner<2, 2>() += measurementCovariance(region);
+    track.estimate.covariance.topLeftCorner<2, 2>() += measurementCovariance(region, region.features);
     born.first_covariance = track.estimate.covariance;
     track.score = 1.0;
     track.seen_features = region.features;

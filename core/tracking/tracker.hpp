@@ -18,9 +18,10 @@
 namespace echotrail {
 
 struct TrackerParams {
-    double process_noise = 0.1;
+    double process_noise = 0.05;
     double unknown_turn_deg = 1.0;
-    double range_sigma_m = 0.15;
+    double range_sigma_m = 0.04;
+    double centroid_share = 0.04;
     double heading_sigma_deg = 0.3;
     double initial_position_sigma_percent = 1.6;
     double initial_speed_sigma_mps = 0.5;
@@ -29,7 +30,7 @@ struct TrackerParams {
     double detection_probability = 0.9;
     double clutter_per_sweep = 3.0;
     int min_beam_hits = 2;
-    double ghost_weight = 0.02;
+    double ghost_density = 0.5;
     double merge_tracks_m = 1.0;
     int max_tracks = 16;
 };
@@ -43,7 +44,10 @@ struct Described<TrackerParams> {
               "How readily objects change their velocity: power density of the acceleration"},
         Field{&P::unknown_turn_deg, "unknown_turn_deg", "deg/√s", 0, 20,
               "Without a heading sensor: how far the vehicle may turn unnoticed"},
-        Field{&P::range_sigma_m, "range_sigma_m", "m", 0.01, 5, "Deviation of a region's range"},
+        Field{&P::range_sigma_m, "range_sigma_m", "m", 0.01, 5,
+              "Deviation of every range: sound speed, timing, range bins"},
+        Field{&P::centroid_share, "centroid_share", "", 0.005, 1,
+              "Deviation of a region's centroid, as a share of the region's length and width"},
         Field{&P::heading_sigma_deg, "heading_sigma_deg", "deg", 0, 20, "Deviation of the heading"},
         Field{&P::initial_position_sigma_percent, "initial_position_sigma_percent", "% of range scale", 0.1, 20,
               "Deviation of a new track's place from its first region"},
@@ -57,8 +61,9 @@ struct Described<TrackerParams> {
         Field{&P::clutter_per_sweep, "clutter_per_sweep", "regions", 0.1, 500,
               "Regions in a sweep that are nobody's echo, before it is learned"},
         Field{&P::min_beam_hits, "min_beam_hits", "pings", 1, 10, "Pings that must meet a region to start a track"},
-        Field{&P::ghost_weight, "ghost_weight", "", 0.001, 1,
-              "Weight of a region that a stronger one just before it explains as its echo by way of bottom or surface"},
+        Field{
+            &P::ghost_density, "ghost_density", "1/m²", 0, 10,
+            "Regions per area just behind a stronger one that are its copies by way of bottom or surface; 0: none are"},
         Field{&P::merge_tracks_m, "merge_tracks_m", "m", 0, 10, "Tracks closer than this for three sweeps are one"},
         Field{&P::max_tracks, "max_tracks", "", 1, 64, "Tracks followed at the same time"}};
 };
@@ -142,13 +147,14 @@ private:
     };
 
     GaussianState predict(const FollowedTrack& followed, Timestamp time) const;
-    Eigen::Matrix2d measurementCovariance(const Region& region) const;
+    Eigen::Matrix2d measurementCovariance(const Region& region, const RegionFeatures& expected) const;
     EchoGeometry geometryAt(double range_m) const;
     bool isGhost(const Region& region) const;
     Pairing pair(const FollowedTrack& followed, const Region& region) const;
     Pairing pairAsPublished(const FollowedTrack& followed, const Region& region) const;
-    /// What the region's being the track's echo is worth, against its being clutter: P_D/λ · likeness · strength, m².
-    double worth(const Pairing& pairing) const;
+    /// What the region's being the track's echo is worth, against its being clutter or the ghost of another:
+    /// P_D/λ · likeness · strength, m².
+    double worth(const Pairing& pairing, bool ghost) const;
     double halfWidth(const ExpectedPlace& place) const;
 
     void settle(const BeamStillOn& still_on, std::vector<TrackLook>& looks);
@@ -158,6 +164,9 @@ private:
     void processCluster(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
                         std::vector<TrackLook>& looks);
     void settleTies(const std::vector<std::size_t>& members, Association& joint) const;
+    void shareMerged(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
+                     const Association& alone, const std::vector<std::vector<Pairing>>& pairings,
+                     Association& joint) const;
     void completePass(FollowedTrack& followed, const std::vector<std::size_t>& regions,
                       const std::vector<Pairing>& pairings, const std::vector<double>& joint, double joint_none,
                       const std::vector<double>& alone, double alone_none, std::vector<TrackLook>& looks);
