@@ -1,5 +1,6 @@
 #include "ui/main_window/main_window.hpp"
 
+#include "ui/alerts/alert_centre.hpp"
 #include "ui/main_window/dock_title.hpp"
 #include "ui/main_window/message_strip.hpp"
 #include "ui/main_window/recent_recordings.hpp"
@@ -109,10 +110,11 @@ void MainWindow::makeDocks() {
     addDockWidget(Qt::RightDockWidgetArea, parameters_dock_);
     addDockWidget(Qt::BottomDockWidgetArea, time_line_dock_);
     makeConnectionDock();
+    makeAlerts();
     // Widths in the proportions of the design: 252 and 378 of 1600.
     const int line = fontMetrics().height();
     resizeDocks({connection_dock_, tracks_dock_}, {14 * line, 22 * line}, Qt::Horizontal);
-    resizeDocks({tracks_dock_, parameters_dock_}, {26 * line, 18 * line}, Qt::Vertical);
+    resizeDocks({tracks_dock_, alerts_dock_}, {34 * line, 10 * line}, Qt::Vertical);
     resizeDocks({time_line_dock_}, {8 * line}, Qt::Vertical);
     connect(tracks_, &TracksPanel::trackSelected, fan_, &FanView::setSelectedTrack);
     connect(fan_, &FanView::trackSelected, tracks_, &TracksPanel::selectTrack);
@@ -230,6 +232,7 @@ void MainWindow::onScene(const std::shared_ptr<const Scene>& scene) {
     status_->showScene(*scene);
     tracks_->setScene(*scene);
     layers_->setScene(*scene);
+    alerts_->showScene(*scene, bridge_.isLive());
 }
 
 void MainWindow::onStatus(const ReplayStatus& status) {

@@ -12,6 +12,8 @@ class QStackedWidget;
 
 namespace echotrail {
 
+class AlertCentre;
+class AlertsPanel;
 class ConnectionPanel;
 struct CommandedSector;
 class FanView;
@@ -33,6 +35,7 @@ public:
     struct Options {
         bool remember = true;  ///< keep layout, palette and recent recordings in the settings
         bool play_on_open = true;
+        bool steady_alerts = false;  ///< nothing flashes
         LiveAccess live;
     };
 
@@ -45,6 +48,7 @@ public:
     MessageStrip& messages() { return *messages_; }
     StaleBanner& stale() { return *stale_; }
     ConnectionPanel& connection() { return *connection_; }
+    AlertCentre& alerts() { return *alerts_; }
 
     void openRecording(const QString& path);
     void openDemonstration();
@@ -77,6 +81,9 @@ private:
     void makeTrackerMenu(QMenu& menu);
     void askForTracker();
     void showTracker(const LiveState& state);
+    void makeAlerts();
+    void makeAlertsMenu();
+    void showAlerts();
     void makeTrackMenu();
     void makeRecordingMenu();
     void makeParametersMenu();
@@ -113,9 +120,12 @@ private:
     QAction* disconnect_ = nullptr;
     std::vector<std::pair<QAction*, TrackerControl>> control_actions_;
     StaleBanner* stale_ = nullptr;
+    AlertCentre* alerts_ = nullptr;
+    AlertsPanel* alerts_panel_ = nullptr;
+    QDockWidget* alerts_dock_ = nullptr;
     QAction* edit_sector_ = nullptr;
     bool recording_failure_told_ = false;
-    static constexpr int layout_version = 2;  ///< of what is saved: another one is not restored
+    static constexpr int layout_version = 3;  ///< of what is saved: another one is not restored
     QByteArray first_layout_;
     QMenu* recent_menu_ = nullptr;
     QStackedWidget* centre_ = nullptr;

@@ -11,7 +11,7 @@
 namespace echotrail {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 25> keys{{
+constexpr std::array<std::pair<const char*, const char*>, 27> keys{{
     {"Space", QT_TRANSLATE_NOOP("ShortcutsOverlay", "play or pause")},
     {"← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "5 s back or on")},
     {"Shift ← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "one sweep back or on")},
@@ -21,6 +21,8 @@ constexpr std::array<std::pair<const char*, const char*>, 25> keys{{
     {"Click", QT_TRANSLATE_NOOP("ShortcutsOverlay", "on an echo or a track: designate it")},
     {"Delete", QT_TRANSLATE_NOOP("ShortcutsOverlay", "clear the designation")},
     {"Ctrl click", QT_TRANSLATE_NOOP("ShortcutsOverlay", "on a track: read its card")},
+    {"A", QT_TRANSLATE_NOOP("ShortcutsOverlay", "acknowledge the alert on top")},
+    {"Shift A", QT_TRANSLATE_NOOP("ShortcutsOverlay", "silence alerts for 30 s")},
     {"+ − wheel", QT_TRANSLATE_NOOP("ShortcutsOverlay", "zoom the fan; 0 fits it again")},
     {"F2", QT_TRANSLATE_NOOP("ShortcutsOverlay", "follow the vehicle")},
     {"F4", QT_TRANSLATE_NOOP("ShortcutsOverlay", "measure between two places")},

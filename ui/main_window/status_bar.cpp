@@ -1,5 +1,6 @@
 #include "ui/main_window/status_bar.hpp"
 
+#include "ui/alerts/alert_centre.hpp"
 #include "ui/main_window/status_chip.hpp"
 #include "ui/panels/transport/transport_panel.hpp"
 #include "ui/style/formatter.hpp"
@@ -35,6 +36,7 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
     recording_ = addChip(*row, tr("REC"));
     pings_ = addChip(*row, tr("PINGS"));
     track_ = addChip(*row, tr("TRACK"));
+    alerts_ = addChip(*row, tr("ALERTS"));
     row->addStretch(1);
     utc_ = addChip(*row, tr("UTC"));
     theme_ = new QToolButton(this);
@@ -48,7 +50,9 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
     for (StatusChip* chip : {link_, sonar_, heading_, recording_})
         connect(chip, &QAbstractButton::clicked, this, &StatusBar::connectionClicked);
     connect(track_, &QAbstractButton::clicked, this, &StatusBar::tracksClicked);
+    connect(alerts_, &QAbstractButton::clicked, this, &StatusBar::alertsClicked);
     connect(theme_, &QToolButton::clicked, this, &StatusBar::themeClicked);
+    showAlerts({}, true);
     showNothing();
 }
 
@@ -156,6 +160,22 @@ void StatusBar::showScene(const Scene& scene) {
     }
     utc_->show(Health::Plain, Formatter::utc(scene.latest.time));
     showTrack(scene);
+}
+
+void StatusBar::showAlerts(const AlertSummary& alerts, bool lit) {
+    QStringList counts;
+    const auto count = [&counts](int number, const QString& one, const QString& several) {
+        if (number > 0) counts << (number == 1 ? one : several.arg(number));
+    };
+    count(alerts.alarms, tr("1 alarm"), tr("%1 alarms"));
+    count(alerts.warnings, tr("1 warning"), tr("%1 warnings"));
+    count(alerts.cautions, tr("1 caution"), tr("%1 cautions"));
+    const Health asking = alerts.new_alarm ? Health::Alarm : Health::Degraded;
+    const bool asks = alerts.new_alarm || alerts.new_warning;
+    const Health standing = counts.isEmpty() ? Health::Good : Health::Degraded;
+    alerts_->show(asks && (lit || !alerts.new_alarm) ? asking : standing,
+                  counts.isEmpty() ? tr("none") : counts.front(), counts.mid(1).join("  "));
+    alerts_->setToolTip(asks ? tr("%1 (A acknowledges)").arg(alerts.title) : tr("Shows the list of alerts"));
 }
 
 void StatusBar::showTheme(const QString& name) { theme_->setText(QStringLiteral("◐ ") + name); }

@@ -13,6 +13,7 @@ class QToolButton;
 namespace echotrail {
 
 class StatusChip;
+struct AlertSummary;
 
 /// The bar at the top: REPLAY in yellow while a recording is shown, what it is, how fast it goes, what was refused in
 /// it; of a head that is polled the link, the head, the heading and the recording, each with its age; then how the
@@ -29,6 +30,8 @@ public:
     /// `longest_heading_gap_s`: an older heading is no use.
     void showLive(const LiveState& state, double longest_heading_gap_s);
     void showScene(const Scene& scene);
+    /// `lit`: what asks for the operator is shown filled at this moment of flashing.
+    void showAlerts(const AlertSummary& alerts, bool lit);
     void showTheme(const QString& name);
 
 Q_SIGNALS:
@@ -37,6 +40,7 @@ Q_SIGNALS:
     void tracksClicked();
     void themeClicked();
     void connectionClicked();
+    void alertsClicked();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -69,6 +73,7 @@ private:
     double rate_ = 0.0;
     StatusChip* pings_ = nullptr;
     StatusChip* track_ = nullptr;
+    StatusChip* alerts_ = nullptr;
     StatusChip* utc_ = nullptr;
     QToolButton* theme_ = nullptr;
 };

@@ -10,7 +10,7 @@ class StatusChip : public QAbstractButton {
     Q_OBJECT
 
 public:
-    enum class Health { Plain, Good, Degraded, Absent };
+    enum class Health { Plain, Good, Degraded, Alarm, Absent };
 
     explicit StatusChip(const QString& label, QWidget* parent = nullptr);
     /// An empty value shows as unknown.
@@ -26,6 +26,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    QColor valueColour() const;
     void paintMark(QPainter& painter, const QRectF& box) const;
 
     QString label_;
