@@ -32,6 +32,7 @@ void AlertCentre::showNothing() {
     book_.clear();
     of_live_.clear();
     of_scene_.clear();
+    muted_.clear();
     live_ = false;
     replay_time_ = {};
     tell();
@@ -54,13 +55,27 @@ void AlertCentre::showScene(const Scene& scene, bool live) {
 void AlertCentre::update() {
     std::vector<Situation> all = of_live_;
     all.insert(all.end(), of_scene_.begin(), of_scene_.end());
+    std::erase_if(all, [this](const Situation& each) { return muted_.contains(each.track); });
     book_.update(all, now());
     tell();
 }
 
 void AlertCentre::guardZoneEntered(int track, const QString& zone) {
+    if (muted_.contains(track)) return;
     book_.happened(AlertRules::guardZoneEntered(track, zone), now());
     tell();
+}
+
+void AlertCentre::setMuted(int track, bool on) {
+    if (!on) {
+        muted_.remove(track);
+        return;
+    }
+    muted_.insert(track);
+    const std::vector<Alert> alerts = book_.alerts();
+    for (const Alert& alert : alerts)
+        if (alert.situation.track == track) book_.acknowledge(alert.id, now());
+    update();
 }
 
 void AlertCentre::acknowledge(int id) {

@@ -9,6 +9,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QSet>
 #include <QTimer>
 #include <functional>
 #include <memory>
@@ -52,6 +53,8 @@ public:
 
 public Q_SLOTS:
     void guardZoneEntered(int track, const QString& zone);
+    /// No alerts about this track until another source is opened; those that ask are acknowledged.
+    void setMuted(int track, bool on);
     void acknowledge(int id);
     /// The one at the top of the list.
     void acknowledgeMostUrgent();
@@ -77,6 +80,7 @@ private:
     bool log_failure_told_ = false;
     std::function<void()> sound_;
     std::vector<Situation> of_live_, of_scene_;
+    QSet<int> muted_;
     bool live_ = false;
     Timestamp replay_time_{};
     Timestamp started_{};

@@ -99,7 +99,8 @@ std::vector<Situation> AlertRules::ofScene(const Scene& scene, bool live) {
              tr("%1 lost, no echo for %2")
                  .arg(Formatter::trackId(track.id), Formatter::age(secondsBetween(track.last_seen, scene.latest.time))),
              tr("expected at %1 %2")
-                 .arg(Formatter::range(rangeOf(track, pose)), Formatter::relativeBearing(bearingOf(track, pose)))});
+                 .arg(Formatter::range(rangeOf(track, pose)), Formatter::relativeBearing(bearingOf(track, pose))),
+             0.0, track.id});
     }
     if (!live && scene.navigation_known && scene.latest.navigation_gap)
         situations.push_back({"heading", AlertPriority::Warning, tr("No heading"), tr("tracks coast until it is back"),
@@ -108,8 +109,12 @@ std::vector<Situation> AlertRules::ofScene(const Scene& scene, bool live) {
 }
 
 Situation AlertRules::guardZoneEntered(int track, const QString& zone) {
-    return {QString("guard/%1/%2").arg(zone).arg(track), AlertPriority::Alarm,
-            tr("%1 in guard zone %2").arg(Formatter::trackId(track), zone), tr("a confirmed track has come in")};
+    return {QString("guard/%1/%2").arg(zone).arg(track),
+            AlertPriority::Alarm,
+            tr("%1 in guard zone %2").arg(Formatter::trackId(track), zone),
+            tr("a confirmed track has come in"),
+            0.0,
+            track};
 }
 
 }  // namespace echotrail

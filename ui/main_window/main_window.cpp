@@ -28,6 +28,7 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace echotrail {
 namespace {
@@ -55,7 +56,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(pa
     if (options_.remember) {
         QSettings settings;
         restoreGeometry(settings.value("geometry").toByteArray());
-        restoreState(settings.value("layout").toByteArray(), layout_version);
+        laid_out_ = restoreState(settings.value("layout").toByteArray(), layout_version);
         start_->setRecent(recentRecordings());
     }
     setTheme(theme_);
@@ -96,7 +97,7 @@ void MainWindow::makeCentre() {
 
 void MainWindow::makeDocks() {
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);  // the card is tall, the time line is not
     layers_ = new LayersPanel(*fan_, this);
     tracks_ = new TracksPanel(this);
     parameters_ = new ParameterPanel(bridge_, this);
@@ -111,21 +112,34 @@ void MainWindow::makeDocks() {
     addDockWidget(Qt::BottomDockWidgetArea, time_line_dock_);
     makeConnectionDock();
     makeAlerts();
-    // Widths in the proportions of the design: 252 and 378 of 1600.
-    const int line = fontMetrics().height();
-    resizeDocks({connection_dock_, tracks_dock_}, {14 * line, 22 * line}, Qt::Horizontal);
-    resizeDocks({tracks_dock_, alerts_dock_}, {34 * line, 10 * line}, Qt::Vertical);
-    resizeDocks({time_line_dock_}, {8 * line}, Qt::Vertical);
+    shareOut();
     connect(tracks_, &TracksPanel::trackSelected, fan_, &FanView::setSelectedTrack);
     connect(fan_, &FanView::trackSelected, tracks_, &TracksPanel::selectTrack);
     connect(tracks_, &TracksPanel::designateRequested, this,
             [this](double range_m, Bearing from_bow) { bridge_.designate(range_m, from_bow.inRadians()); });
+    connect(tracks_, &TracksPanel::muteRequested, this, [this](int id, bool on) { alerts_->setMuted(id, on); });
+    for (const auto happening : {&PipelineBridge::opened, &PipelineBridge::closed})
+        connect(&bridge_, happening, tracks_, &TracksPanel::startAnew);
     connect(tracks_, &TracksPanel::clearRequested, this, [this] { bridge_.clearDesignation(); });
     connect(parameters_, &ParameterPanel::message, this, &MainWindow::say);
     connect(transport_, &TransportPanel::message, this, &MainWindow::say);
     connect(parameters_, &ParameterPanel::summaryChanged, this,
             [this](const QString& summary) { setSummary(parameters_dock_, summary); });
     parameters_->showParams();
+}
+
+void MainWindow::shareOut() {
+    // Widths in the proportions of the design: 252 and 378 of 1600; the card of a track is tall.
+    const int line = fontMetrics().height();
+    resizeDocks({connection_dock_, tracks_dock_}, {14 * line, 23 * line}, Qt::Horizontal);
+    resizeDocks({tracks_dock_, alerts_dock_}, {42 * line, 10 * line}, Qt::Vertical);
+    resizeDocks({time_line_dock_}, {8 * line}, Qt::Vertical);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    // Only now the window has its size; before, least heights decided.
+    if (!std::exchange(laid_out_, true)) shareOut();
 }
 
 void MainWindow::makeStatusBars() {
@@ -215,7 +229,10 @@ void MainWindow::onOpened() {
     fan_->setFocus(Qt::OtherFocusReason);
     QStringList notes;
     for (const std::string& note : info.notes) notes << QString::fromStdString(note);
-    foot_->setText((bridge_.isTracker() ? tr("Following %1") : bridge_.isLive() ? tr("Polling %1") : tr("Opened %1")).arg(QString::fromStdString(info.name)) +
+    foot_->setText((bridge_.isTracker() ? tr("Following %1")
+                    : bridge_.isLive()  ? tr("Polling %1")
+                                        : tr("Opened %1"))
+                       .arg(QString::fromStdString(info.name)) +
                    "   " + QString::fromStdString(info.head) +
                    (notes.isEmpty() ? QString() : "   " + tr("notes on it under FILE")));
     foot_->setToolTip(notes.join("\n"));
@@ -230,6 +247,7 @@ void MainWindow::onScene(const std::shared_ptr<const Scene>& scene) {
     if (!rests && readouts_.isValid() && readouts_.elapsed() < readout_interval_ms) return;
     readouts_.start();
     status_->showScene(*scene);
+    tracks_->setParams(bridge_.params().tracker);
     tracks_->setScene(*scene);
     layers_->setScene(*scene);
     alerts_->showScene(*scene, bridge_.isLive());

@@ -62,12 +62,14 @@ public:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void makeDocks();
+    void shareOut();
     void makeStatusBars();
     void makeCentre();
     void connectBridge();
@@ -127,6 +129,7 @@ private:
     bool recording_failure_told_ = false;
     static constexpr int layout_version = 3;  ///< of what is saved: another one is not restored
     QByteArray first_layout_;
+    bool laid_out_ = false;  ///< as it was left last time, or by shareOut()
     QMenu* recent_menu_ = nullptr;
     QStackedWidget* centre_ = nullptr;
     StartPage* start_ = nullptr;

@@ -5,6 +5,7 @@
 #include "ui/main_window/status_bar.hpp"
 #include "ui/panels/layers/layers_panel.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
+#include "ui/panels/tracks/tracks_panel.hpp"
 #include "ui/panels/transport/transport_panel.hpp"
 #include "ui/views/fan_view.hpp"
 
@@ -128,8 +129,19 @@ void MainWindow::followFan(QAction& action, std::function<bool(const FanView&)> 
 
 void MainWindow::makeTrackMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Track"));
-    need_source_.push_back(addAction(menu, tr("&Clear the designation"), QKeySequence(Qt::Key_Delete),
-                                     [this] { bridge_.clearDesignation(); }));
+    const auto add = [&](const QString& text, const QKeySequence& key, const QString& tip, std::function<void()> act) {
+        need_source_.push_back(addAction(menu, text, key, std::move(act)));
+        need_source_.back()->setStatusTip(tip);
+    };
+    add(tr("&Designate the selected one"), QKeySequence("Ctrl+Return"),
+        tr("Makes the track that is selected in the list the target"), [this] { tracks_->designateSelected(); });
+    add(tr("&Clear the designation"), QKeySequence(Qt::Key_Delete), tr("No target; all tracks live on"),
+        [this] { bridge_.clearDesignation(); });
+    menu.addSeparator();
+    add(tr("&Name the selected one"), QKeySequence("Ctrl+R"), tr("Your own name for it, on this console"),
+        [this] { tracks_->editName(); });
+    add(tr("&Mute the selected one"), QKeySequence("Ctrl+M"), tr("No alerts about it; the same again wants them back"),
+        [this] { tracks_->toggleMute(); });
 }
 
 void MainWindow::makeRecordingMenu() {
@@ -238,6 +250,7 @@ void MainWindow::resetLayout() {
     restoreState(first_layout_, layout_version);
     for (QDockWidget* dock : {connection_dock_, layers_dock_, tracks_dock_, alerts_dock_, parameters_dock_, time_line_dock_})
         dock->show();
+    shareOut();
 }
 
 void MainWindow::showAbout() {

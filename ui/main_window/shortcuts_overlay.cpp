@@ -11,7 +11,7 @@
 namespace echotrail {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 27> keys{{
+constexpr std::array<std::pair<const char*, const char*>, 30> keys{{
     {"Space", QT_TRANSLATE_NOOP("ShortcutsOverlay", "play or pause")},
     {"← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "5 s back or on")},
     {"Shift ← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "one sweep back or on")},
@@ -19,6 +19,9 @@ constexpr std::array<std::pair<const char*, const char*>, 27> keys{{
     {"Home End", QT_TRANSLATE_NOOP("ShortcutsOverlay", "start, end of the recording")},
     {", .", QT_TRANSLATE_NOOP("ShortcutsOverlay", "slower, faster")},
     {"Click", QT_TRANSLATE_NOOP("ShortcutsOverlay", "on an echo or a track: designate it")},
+    {"Ctrl Enter", QT_TRANSLATE_NOOP("ShortcutsOverlay", "designate the selected track")},
+    {"Ctrl R", QT_TRANSLATE_NOOP("ShortcutsOverlay", "name the selected track")},
+    {"Ctrl M", QT_TRANSLATE_NOOP("ShortcutsOverlay", "mute the selected track: no alerts about it")},
     {"Delete", QT_TRANSLATE_NOOP("ShortcutsOverlay", "clear the designation")},
     {"Ctrl click", QT_TRANSLATE_NOOP("ShortcutsOverlay", "on a track: read its card")},
     {"A", QT_TRANSLATE_NOOP("ShortcutsOverlay", "acknowledge the alert on top")},

@@ -86,6 +86,18 @@ TEST_F(AlertsPanelTest, AGuardZoneIsToldOfAndEndsWithItsAcknowledgement) {
     EXPECT_TRUE(centre_.model().index(0).data(AlertModel::OverRole).toBool());
 }
 
+TEST_F(AlertsPanelTest, AMutedTrackRaisesNothing) {
+    centre_.showScene(lostScene(), true);
+    centre_.setMuted(1, true);
+    EXPECT_FALSE(centre_.summary().new_alarm);
+    EXPECT_EQ(centre_.summary().alarms, 0);
+    centre_.guardZoneEntered(1, "North");
+    EXPECT_EQ(centre_.summary().alarms, 0);
+    centre_.setMuted(1, false);
+    centre_.showScene(lostScene(), true);
+    EXPECT_TRUE(centre_.summary().new_alarm) << "it is still lost";
+}
+
 TEST_F(AlertsPanelTest, RowsMoveWithoutAReset) {
     int resets = 0;
     QObject::connect(&centre_.model(), &QAbstractItemModel::modelReset, [&] { ++resets; });
