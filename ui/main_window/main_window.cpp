@@ -101,6 +101,7 @@ void MainWindow::makeDocks() {
     layers_ = new LayersPanel(*fan_, this);
     tracks_ = new TracksPanel(this);
     parameters_ = new ParameterPanel(bridge_, this);
+    if (options_.remember) parameters_->rememberFavourites();
     transport_ = new TransportPanel(bridge_, this);
     layers_dock_ = makeDock("layers", tr("Layers"), layers_, this);
     tracks_dock_ = makeDock("tracks", tr("Tracks"), tracks_, this);
@@ -109,6 +110,8 @@ void MainWindow::makeDocks() {
     addDockWidget(Qt::LeftDockWidgetArea, layers_dock_);
     addDockWidget(Qt::RightDockWidgetArea, tracks_dock_);
     addDockWidget(Qt::RightDockWidgetArea, parameters_dock_);
+    tabifyDockWidget(tracks_dock_, parameters_dock_);
+    tracks_dock_->raise();
     addDockWidget(Qt::BottomDockWidgetArea, time_line_dock_);
     makeConnectionDock();
     makeAlerts();

@@ -22,8 +22,6 @@ void MainWindow::makeAlerts() {
     alerts_panel_ = new AlertsPanel(*alerts_, this);
     alerts_dock_ = makeDock("alerts", tr("Alerts"), alerts_panel_, this);
     addDockWidget(Qt::RightDockWidgetArea, alerts_dock_);
-    tabifyDockWidget(alerts_dock_, parameters_dock_);
-    alerts_dock_->raise();
     connect(alerts_panel_, &AlertsPanel::summaryChanged, this,
             [this](const QString& summary) { setSummary(alerts_dock_, summary); });
     connect(alerts_, &AlertCentre::changed, this, &MainWindow::showAlerts);

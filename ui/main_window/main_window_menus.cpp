@@ -181,11 +181,14 @@ void MainWindow::makeParametersMenu() {
     connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
     connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
     menu.addSeparator();
+    addAction(menu, tr("Star the selected &one"), QKeySequence("Ctrl+B"), [&form] {
+        form.toggleFavourite();
+    })->setStatusTip(tr("Makes it a favourite, or no longer"));
     addAction(menu, tr("&Load set…"), {}, [&form] { form.loadFile(); });
     addAction(menu, tr("&Save set…"), {}, [&form] { form.saveFile(); });
     menu.addSeparator();
-    addAction(menu, tr("Selected one to its &default"), {}, [&form] { form.resetRow(); });
-    addAction(menu, tr("&All to their defaults"), {}, [this] { parameters_->model().resetAll(); });
+    addAction(menu, tr("Selected one to its &default, or as compared"), {}, [&form] { form.resetRow(); });
+    addAction(menu, tr("&All to their defaults, or as compared"), {}, [this] { parameters_->model().resetAll(); });
 }
 
 void MainWindow::makeWindowMenu() {

@@ -11,7 +11,7 @@
 namespace echotrail {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 30> keys{{
+constexpr std::array<std::pair<const char*, const char*>, 31> keys{{
     {"Space", QT_TRANSLATE_NOOP("ShortcutsOverlay", "play or pause")},
     {"← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "5 s back or on")},
     {"Shift ← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "one sweep back or on")},
@@ -39,6 +39,7 @@ constexpr std::array<std::pair<const char*, const char*>, 30> keys{{
     {"E", QT_TRANSLATE_NOOP("ShortcutsOverlay", "set the head's sector: ← → Shift Tab Enter")},
     {"Ctrl D", QT_TRANSLATE_NOOP("ShortcutsOverlay", "demonstration")},
     {"Ctrl F", QT_TRANSLATE_NOOP("ShortcutsOverlay", "find a parameter")},
+    {"Ctrl B", QT_TRANSLATE_NOOP("ShortcutsOverlay", "star the selected parameter")},
     {"Ctrl Z", QT_TRANSLATE_NOOP("ShortcutsOverlay", "undo a parameter; with Shift: redo")},
     {"Esc", QT_TRANSLATE_NOOP("ShortcutsOverlay", "leave an edit or this sheet")},
     {"?", QT_TRANSLATE_NOOP("ShortcutsOverlay", "this sheet")},

@@ -74,6 +74,8 @@ void StatusBar::setMode(Mode mode) {
     for (StatusChip* chip : {file_, position_, speed_}) chip->setVisible(mode != Mode::Live);
     for (StatusChip* chip : {link_, sonar_, heading_, recording_}) chip->setVisible(mode == Mode::Live);
     for (StatusChip* chip : {tracker_, control_}) chip->setVisible(false);  // until the state says that there is one
+    // The bar is tinted then: what is dim elsewhere could not be read on it.
+    for (StatusChip* chip : findChildren<StatusChip*>()) chip->setOnBright(mode == Mode::Replay);
     rate_clock_.invalidate();
     update();
 }
@@ -190,7 +192,7 @@ void StatusBar::paintEvent(QPaintEvent*) {
         return;
     }
     QColor tint = colours.warning;
-    tint.setAlphaF(0.22F);
+    tint.setAlphaF(0.18F);
     painter.fillRect(rect(), tint);
     painter.fillRect(QRect(0, height() - edge, width(), edge), colours.warning);
     const QRect word(0, 0, word_lines * fontMetrics().height(), height());
