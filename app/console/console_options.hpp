@@ -19,7 +19,8 @@ struct ConsoleOptions {
     std::string connect;  ///< address of a tracker to follow; empty: none
     std::string screenshot;  ///< PNG file; empty: an ordinary session
     std::optional<double> at_s;
-    std::string palette;  ///< empty: as last time
+    std::string palette;   ///< empty: as last time
+    std::string language;  ///< the same
     int width = 1600;
     int height = 1000;
     ScanningSonarPipeline::Params params;

@@ -39,6 +39,7 @@ constexpr int slow_opening_ms = 300;      // a quick one says nothing, so that t
 }  // namespace
 
 MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(parent), options_(options) {
+    applyLanguage(*qApp, firstLanguage());
     if (options_.remember) theme_ = themeFromName(QSettings().value("palette").toString());
     applyTheme(*qApp, theme_);  // first: all lengths come from its font
     setWindowTitle(tr("Echotrail"));
@@ -49,6 +50,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(pa
     makeDocks();
     makeStatusBars();
     shortcuts_ = new ShortcutsOverlay(this);
+    connectTracker();
     makeMenus();
     connectBridge();
     qApp->installEventFilter(this);
@@ -103,10 +105,10 @@ void MainWindow::makeDocks() {
     parameters_ = new ParameterPanel(bridge_, this);
     if (options_.remember) parameters_->rememberFavourites();
     transport_ = new TransportPanel(bridge_, this);
-    layers_dock_ = makeDock("layers", tr("Layers"), layers_, this);
-    tracks_dock_ = makeDock("tracks", tr("Tracks"), tracks_, this);
-    parameters_dock_ = makeDock("parameters", tr("Parameters"), parameters_, this);
-    time_line_dock_ = makeDock("time_line", tr("Time line"), transport_, this);
+    layers_dock_ = makeDock("layers", layers_, this);
+    tracks_dock_ = makeDock("tracks", tracks_, this);
+    parameters_dock_ = makeDock("parameters", parameters_, this);
+    time_line_dock_ = makeDock("time_line", transport_, this);
     addDockWidget(Qt::LeftDockWidgetArea, layers_dock_);
     addDockWidget(Qt::RightDockWidgetArea, tracks_dock_);
     addDockWidget(Qt::RightDockWidgetArea, parameters_dock_);
@@ -162,18 +164,22 @@ void MainWindow::makeStatusBars() {
         connection_dock_->show();
         connection_dock_->raise();
     });
+    connect(status_, &StatusBar::alertsClicked, this, [this] {
+        alerts_dock_->show();
+        alerts_dock_->raise();
+    });
     connect(status_, &StatusBar::tracksClicked, tracks_dock_, &QWidget::show);
     connect(status_, &StatusBar::themeClicked, this, &MainWindow::nextTheme);
 
     foot_ = new QLabel(tr("No source open"), this);
-    auto* keys =
-        new QLabel(tr("Space play   ← → 5 s   Shift one sweep   Ctrl one ping   , . speed   ? shortcuts"), this);
+    keys_ = new QLabel(this);
     foot_->setObjectName("dim");
-    keys->setObjectName("dim");
+    keys_->setObjectName("dim");
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setContentsMargins(fontMetrics().height() / 2, 0, fontMetrics().height() / 2, 0);
     statusBar()->addWidget(foot_, 1);
-    statusBar()->addPermanentWidget(keys);
+    statusBar()->addPermanentWidget(keys_);
+    nameDocks();
 }
 
 void MainWindow::connectBridge() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/bridge/pipeline_bridge.hpp"
+#include "ui/language/language.hpp"
 #include "ui/style/palette.hpp"
 
 #include <QElapsedTimer>
@@ -35,6 +36,7 @@ public:
     struct Options {
         bool remember = true;  ///< keep layout, palette and recent recordings in the settings
         bool play_on_open = true;
+        QString language;  ///< "en", "zh"; empty: as last time, or the computer's
         bool steady_alerts = false;  ///< nothing flashes
         LiveAccess live;
     };
@@ -55,12 +57,15 @@ public:
     /// Follows a tracker at tcp://HOST:PORT.
     void openTracker(const QString& address);
     void setTheme(Theme theme);
+    /// Of everything that is on the screen or comes to it.
+    void setLanguage(Language language);
     /// Parameters given from outside; the form shows them.
     void setParams(const PipelineBridge::Params& params);
     /// Writes a picture of the window, or of the fan only. False, and a line in the strip, where that failed.
     bool saveScreenshot(const QString& path, bool fan_only = false);
 
 protected:
+    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -73,6 +78,10 @@ private:
     void makeStatusBars();
     void makeCentre();
     void connectBridge();
+    Language firstLanguage() const;
+    void retranslate();
+    void nameDocks();
+    void makeLanguageMenu(QMenu& menu);
     void makeMenus();
     void makeFileMenu();
     void makeViewMenu();
@@ -80,6 +89,7 @@ private:
     /// Keeps a check mark in step with the fan, whoever changed it.
     void followFan(QAction& action, std::function<bool(const FanView&)> on);
     void makeSonarMenu();
+    void connectTracker();
     void makeTrackerMenu(QMenu& menu);
     void askForTracker();
     void showTracker(const LiveState& state);
@@ -148,6 +158,7 @@ private:
     QDockWidget* parameters_dock_ = nullptr;
     QDockWidget* time_line_dock_ = nullptr;
     QLabel* foot_ = nullptr;
+    QLabel* keys_ = nullptr;
 };
 
 }  // namespace echotrail

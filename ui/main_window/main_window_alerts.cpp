@@ -20,7 +20,7 @@ void MainWindow::makeAlerts() {
     alerts_ = new AlertCentre(this);
     if (options_.remember) alerts_->setLog(alertLogPath());
     alerts_panel_ = new AlertsPanel(*alerts_, this);
-    alerts_dock_ = makeDock("alerts", tr("Alerts"), alerts_panel_, this);
+    alerts_dock_ = makeDock("alerts", alerts_panel_, this);
     addDockWidget(Qt::RightDockWidgetArea, alerts_dock_);
     connect(alerts_panel_, &AlertsPanel::summaryChanged, this,
             [this](const QString& summary) { setSummary(alerts_dock_, summary); });
@@ -53,14 +53,10 @@ void MainWindow::makeAlertsMenu() {
         alerts_->setSteady(on);
         if (options_.remember) QSettings().setValue(steady_setting, on);
     });
-    const auto show_list = [this] {
+    addAction(menu, tr("&List"), QKeySequence("Ctrl+Shift+A"), [this] {
         alerts_dock_->show();
         alerts_dock_->raise();
-    };
-    addAction(menu, tr("&List"), QKeySequence("Ctrl+Shift+A"), show_list)
-        ->setStatusTip(tr("Brings the list of alerts to the front"));
-    connect(status_, &StatusBar::alertsClicked, this, show_list);
-    showAlerts();
+    })->setStatusTip(tr("Brings the list of alerts to the front"));
 }
 
 void MainWindow::showAlerts() {

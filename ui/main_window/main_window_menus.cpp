@@ -73,9 +73,10 @@ void MainWindow::fillRecentMenu() {
 void MainWindow::makeViewMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&View"));
     addAction(menu, tr("Day, dusk, &night"), QKeySequence("F5"), [this] { nextTheme(); });
+    makeLanguageMenu(*menu.addMenu(tr("Lan&guage")));
     menu.addSeparator();
     makeLayersMenu(*menu.addMenu(tr("&Layers")));
-    auto* orientation = new QActionGroup(this);
+    auto* orientation = new QActionGroup(&menu);
     const auto orient = [&](const QString& title, Orientation which) {
         auto* action = addAction(menu, title, {}, [this, which] { fan_->setOrientation(which); });
         action->setActionGroup(orientation);
@@ -176,8 +177,8 @@ void MainWindow::makeParametersMenu() {
     menu.addSeparator();
     auto* undo = addAction(menu, tr("&Undo"), QKeySequence("Ctrl+Z"), [&stack] { stack.undo(); });
     auto* redo = addAction(menu, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), [&stack] { stack.redo(); });
-    undo->setEnabled(false);
-    redo->setEnabled(false);
+    undo->setEnabled(stack.canUndo());
+    redo->setEnabled(stack.canRedo());
     connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
     connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
     menu.addSeparator();

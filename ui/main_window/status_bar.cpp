@@ -25,23 +25,22 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
     row->setContentsMargins({});
     row->setSpacing(0);
     row->addSpacing(0);
-    file_ = addChip(*row, tr("FILE"));
-    position_ = addChip(*row, tr("POSITION"));
-    speed_ = addChip(*row, tr("SPEED"));
-    tracker_ = addChip(*row, tr("TRACKER"));
-    control_ = addChip(*row, tr("CONTROL"));
-    link_ = addChip(*row, tr("LINK"));
-    sonar_ = addChip(*row, tr("SONAR"));
-    heading_ = addChip(*row, tr("HDG"));
-    recording_ = addChip(*row, tr("REC"));
-    pings_ = addChip(*row, tr("PINGS"));
-    track_ = addChip(*row, tr("TRACK"));
-    alerts_ = addChip(*row, tr("ALERTS"));
+    file_ = addChip(*row);
+    position_ = addChip(*row);
+    speed_ = addChip(*row);
+    tracker_ = addChip(*row);
+    control_ = addChip(*row);
+    link_ = addChip(*row);
+    sonar_ = addChip(*row);
+    heading_ = addChip(*row);
+    recording_ = addChip(*row);
+    pings_ = addChip(*row);
+    track_ = addChip(*row);
+    alerts_ = addChip(*row);
     row->addStretch(1);
-    utc_ = addChip(*row, tr("UTC"));
+    utc_ = addChip(*row);
     theme_ = new QToolButton(this);
     theme_->setAutoRaise(true);
-    theme_->setToolTip(tr("Day, dusk or night (F5)"));
     theme_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
     row->addWidget(theme_);
     connect(file_, &QAbstractButton::clicked, this, &StatusBar::openClicked);
@@ -52,12 +51,31 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
     connect(track_, &QAbstractButton::clicked, this, &StatusBar::tracksClicked);
     connect(alerts_, &QAbstractButton::clicked, this, &StatusBar::alertsClicked);
     connect(theme_, &QToolButton::clicked, this, &StatusBar::themeClicked);
+    nameChips();
     showAlerts({}, true);
     showNothing();
 }
 
-StatusChip* StatusBar::addChip(QHBoxLayout& row, const QString& label) {
-    auto* chip = new StatusChip(label, this);
+void StatusBar::nameChips() {
+    file_->setLabel(tr("FILE"));
+    position_->setLabel(tr("POSITION"));
+    speed_->setLabel(tr("SPEED"));
+    tracker_->setLabel(tr("TRACKER"));
+    control_->setLabel(tr("CONTROL"));
+    link_->setLabel(tr("LINK"));
+    sonar_->setLabel(tr("SONAR"));
+    heading_->setLabel(tr("HDG"));
+    recording_->setLabel(tr("REC"));
+    pings_->setLabel(tr("PINGS"));
+    track_->setLabel(tr("TRACK"));
+    alerts_->setLabel(tr("ALERTS"));
+    utc_->setLabel(tr("UTC"));
+    theme_->setToolTip(tr("Day, dusk or night (F5)"));
+    update();
+}
+
+StatusChip* StatusBar::addChip(QHBoxLayout& row) {
+    auto* chip = new StatusChip(this);
     row.addWidget(chip);
     return chip;
 }

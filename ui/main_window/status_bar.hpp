@@ -24,6 +24,8 @@ class StatusBar : public QWidget {
 public:
     explicit StatusBar(QWidget* parent = nullptr);
 
+    /// In the language in force.
+    void nameChips();
     void showNothing();
     void showSource(const SourceInfo& info);
     void showStatus(const ReplayStatus& status);
@@ -46,7 +48,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    StatusChip* addChip(QHBoxLayout& row, const QString& label);
+    StatusChip* addChip(QHBoxLayout& row);
     void showTrack(const Scene& scene);
     void showCounts(const SourceCounts& counts);
     enum class Mode { Nothing, Replay, Live };

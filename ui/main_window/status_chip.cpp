@@ -16,7 +16,7 @@ QFont bold(QFont font) {
 
 }  // namespace
 
-StatusChip::StatusChip(const QString& label, QWidget* parent) : QAbstractButton(parent), label_(label) {
+StatusChip::StatusChip(QWidget* parent) : QAbstractButton(parent) {
     setFocusPolicy(Qt::TabFocus);
     show(Health::Absent, {});
 }
@@ -27,6 +27,13 @@ void StatusChip::show(Health health, const QString& value, const QString& detail
     health_ = health;
     value_ = shown;
     detail_ = detail;
+    setAccessibleName(label_ + " " + value_ + " " + detail_);
+    updateGeometry();
+    update();
+}
+
+void StatusChip::setLabel(const QString& label) {
+    label_ = label;
     setAccessibleName(label_ + " " + value_ + " " + detail_);
     updateGeometry();
     update();

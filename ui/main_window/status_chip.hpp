@@ -12,7 +12,8 @@ class StatusChip : public QAbstractButton {
 public:
     enum class Health { Plain, Good, Degraded, Alarm, Absent };
 
-    explicit StatusChip(const QString& label, QWidget* parent = nullptr);
+    explicit StatusChip(QWidget* parent = nullptr);
+    void setLabel(const QString& label);
     /// An empty value shows as unknown.
     void show(Health health, const QString& value, const QString& detail = {});
     /// Text painted dark on a bright bar.

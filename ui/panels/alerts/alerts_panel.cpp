@@ -1,6 +1,7 @@
 #include "ui/panels/alerts/alerts_panel.hpp"
 
 #include "ui/alerts/alert_centre.hpp"
+#include "ui/language/language.hpp"
 #include "ui/panels/alerts/alert_delegate.hpp"
 #include "ui/style/ui_metrics.hpp"
 
@@ -20,18 +21,14 @@ AlertsPanel::AlertsPanel(AlertCentre& centre, QWidget* parent) : QWidget(parent)
     list_->setUniformItemSizes(true);
     list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    list_->setAccessibleName(tr("Alerts"));
-    empty_ = new QLabel(tr("No alerts. Lost targets, broken links, missing headings and a full disk are listed here."),
-                        this);
+    empty_ = new QLabel(this);
     empty_->setObjectName("dim");
     empty_->setWordWrap(true);
     empty_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     const UiMetrics metrics(font());
     empty_->setMargin(metrics.pixels(8.0));
-    acknowledge_ = new QPushButton(tr("Acknowledge"), this);
-    acknowledge_->setToolTip(tr("The alert at the top of the list (A); Enter: the selected one"));
+    acknowledge_ = new QPushButton(this);
     silence_ = new QPushButton(this);
-    silence_->setToolTip(tr("No sound for %1 s, unless something new is raised (Shift+A)").arg(AlertSound::silence_s));
     auto* buttons = new QHBoxLayout;
     buttons->setContentsMargins(metrics.pixels(8.0), metrics.pixels(4.0), metrics.pixels(8.0), metrics.pixels(4.0));
     buttons->setSpacing(metrics.pixels(4.0));
@@ -50,6 +47,15 @@ AlertsPanel::AlertsPanel(AlertCentre& centre, QWidget* parent) : QWidget(parent)
             [this](const QModelIndex& row) { centre_.acknowledge(row.data(AlertModel::IdRole).toInt()); });
     connect(&centre_, &AlertCentre::changed, this, &AlertsPanel::showSummary);
     connect(&centre_, &AlertCentre::flashed, list_->viewport(), qOverload<>(&QWidget::update));
+    inEveryLanguage(this, [this] { nameAll(); });
+}
+
+void AlertsPanel::nameAll() {
+    list_->setAccessibleName(tr("Alerts"));
+    empty_->setText(tr("No alerts. Lost targets, broken links, missing headings and a full disk are listed here."));
+    acknowledge_->setText(tr("Acknowledge"));
+    acknowledge_->setToolTip(tr("The alert at the top of the list (A); Enter: the selected one"));
+    silence_->setToolTip(tr("No sound for %1 s, unless something new is raised (Shift+A)").arg(AlertSound::silence_s));
     showSummary();
 }
 

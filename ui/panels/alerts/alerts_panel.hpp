@@ -24,6 +24,7 @@ Q_SIGNALS:
     void summaryChanged(const QString& summary);
 
 private:
+    void nameAll();
     void showSummary();
 
     AlertCentre& centre_;

@@ -1,6 +1,7 @@
 #include "ui/panels/parameters/parameter_panel.hpp"
 
 #include "core/pipelines/presets.hpp"
+#include "ui/language/language.hpp"
 
 #include <QSettings>
 #include <QStandardPaths>
@@ -24,16 +25,23 @@ ParameterPresets allPresets() {
 
 ParameterPanel::ParameterPanel(PipelineBridge& bridge, QWidget* parent)
     : QWidget(parent), bridge_(bridge), model_(describeParameters<PipelineBridge::Params>()) {
-    form_ = new ParameterForm(model_, allPresets(), this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
-    layout->addWidget(form_);
     connect(&model_, &ParameterModel::valuesChanged, this, &ParameterPanel::apply);
     connect(&model_, &QAbstractItemModel::headerDataChanged, this, &ParameterPanel::summarise);
-    connect(form_, &ParameterForm::message, this, &ParameterPanel::message);
+    inEveryLanguage(this, [this] { makeForm(); });
     connect(&bridge_, &PipelineBridge::statusChanged, this, &ParameterPanel::followSent);
     connect(&bridge_, &PipelineBridge::liveChanged, this, &ParameterPanel::followSent);
     showParams();
+}
+
+/// The model keeps all that matters; a form in another language is another form.
+void ParameterPanel::makeForm() {
+    delete form_;
+    form_ = new ParameterForm(model_, allPresets(), this);
+    layout()->addWidget(form_);
+    connect(form_, &ParameterForm::message, this, &ParameterPanel::message);
+    summarise();
 }
 
 void ParameterPanel::showParams() {

@@ -31,6 +31,7 @@ Q_SIGNALS:
 
 private:
     void apply(const std::vector<ParameterValue>& values);
+    void makeForm();
     void summarise();
     /// Tells the form once what was sent is in force.
     void followSent();

@@ -1,5 +1,6 @@
 #include "ui/panels/tracks/tracks_panel.hpp"
 
+#include "ui/language/language.hpp"
 #include "ui/panels/tracks/symbol_delegate.hpp"
 #include "ui/panels/tracks/target_card.hpp"
 #include "ui/style/ui_metrics.hpp"
@@ -27,23 +28,20 @@ TracksPanel::TracksPanel(QWidget* parent) : QWidget(parent) {
     table_->setShowGrid(false);
     table_->setWordWrap(false);
     table_->setFrameShape(QFrame::NoFrame);
-    table_->setAccessibleName(tr("Tracks"));
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    card_ = new TargetCard(this);
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(card_);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_ = new QScrollArea(this);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins({});
     column->setSpacing(0);
     column->addWidget(table_, 1);
     column->addLayout(makeButtons());
-    column->addWidget(scroll, 6);
+    column->addWidget(scroll_, 6);
     sizeTable();
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
         if (following_selection_ || !row.isValid()) return;
@@ -54,18 +52,13 @@ TracksPanel::TracksPanel(QWidget* parent) : QWidget(parent) {
 }
 
 QLayout* TracksPanel::makeButtons() {
-    designate_ = new QPushButton(tr("Designate"), this);
-    designate_->setToolTip(tr("Make the selected track the target (Ctrl+Enter); a click on the fan does the same"));
-    clear_ = new QPushButton(tr("Clear"), this);
-    clear_->setToolTip(tr("No target (Delete); all tracks live on"));
-    mute_ = new QPushButton(tr("Mute"), this);
-    mute_->setToolTip(tr("No alerts about the selected track (Ctrl+M)"));
+    designate_ = new QPushButton(this);
+    clear_ = new QPushButton(this);
+    mute_ = new QPushButton(this);
     mute_->setCheckable(true);
     name_ = new QLineEdit(this);
-    name_->setPlaceholderText(tr("Name"));
     name_->setMaxLength(TrackModel::longest_name);
-    name_->setAccessibleName(tr("Name of the selected track"));
-    name_->setToolTip(tr("Your name for the selected track (Ctrl+R), taken by Enter; this console's only"));
+    inEveryLanguage(this, [this] { nameAll(); });
     for (QWidget* widget : std::initializer_list<QWidget*>{designate_, clear_, mute_, name_}) widget->setEnabled(false);
     auto* buttons = new QHBoxLayout;
     const UiMetrics metrics(font());
@@ -78,6 +71,21 @@ QLayout* TracksPanel::makeButtons() {
     connect(mute_, &QPushButton::clicked, this, &TracksPanel::toggleMute);
     connect(name_, &QLineEdit::editingFinished, this, [this] { model_.setName(shown_, name_->text()); });
     return buttons;
+}
+
+void TracksPanel::nameAll() {
+    card_ = new TargetCard;  // it keeps nothing: the next scene fills it
+    scroll_->setWidget(card_);
+    table_->setAccessibleName(tr("Tracks"));
+    designate_->setText(tr("Designate"));
+    designate_->setToolTip(tr("Make the selected track the target (Ctrl+Enter); a click on the fan does the same"));
+    clear_->setText(tr("Clear"));
+    clear_->setToolTip(tr("No target (Delete); all tracks live on"));
+    mute_->setText(tr("Mute"));
+    mute_->setToolTip(tr("No alerts about the selected track (Ctrl+M)"));
+    name_->setPlaceholderText(tr("Name"));
+    name_->setAccessibleName(tr("Name of the selected track"));
+    name_->setToolTip(tr("Your name for the selected track (Ctrl+R), taken by Enter; this console's only"));
 }
 
 void TracksPanel::designateSelected() {

@@ -9,6 +9,7 @@
 
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
 class QTableView;
 
 namespace echotrail {
@@ -51,10 +52,12 @@ private:
     const Track* shownTrack(const Scene& scene) const;
     void sizeTable();
     QLayout* makeButtons();
+    void nameAll();
     void showButtons(const Scene& scene, const Track* track);
 
     TrackModel model_;
     QTableView* table_ = nullptr;
+    QScrollArea* scroll_ = nullptr;
     TargetCard* card_ = nullptr;
     QPushButton* designate_ = nullptr;
     QPushButton* clear_ = nullptr;
