@@ -36,7 +36,7 @@ public:
     struct Options {
         bool remember = true;  ///< keep layout, palette and recent recordings in the settings
         bool play_on_open = true;
-        QString language;  ///< "en", "zh"; empty: as last time, or the computer's
+        QString language;            ///< "en", "zh"; empty: as last time, or the computer's
         bool steady_alerts = false;  ///< nothing flashes
         LiveAccess live;
     };

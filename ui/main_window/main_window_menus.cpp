@@ -194,7 +194,8 @@ void MainWindow::makeParametersMenu() {
 
 void MainWindow::makeWindowMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Window"));
-    for (QDockWidget* dock : {connection_dock_, layers_dock_, tracks_dock_, alerts_dock_, parameters_dock_, time_line_dock_})
+    for (QDockWidget* dock :
+         {connection_dock_, layers_dock_, tracks_dock_, alerts_dock_, parameters_dock_, time_line_dock_})
         menu.QWidget::addAction(dock->toggleViewAction());
     menu.addSeparator();
     addAction(menu, tr("&Reset layout"), {}, [this] { resetLayout(); });
@@ -252,7 +253,8 @@ void MainWindow::nextTheme() {
 
 void MainWindow::resetLayout() {
     restoreState(first_layout_, layout_version);
-    for (QDockWidget* dock : {connection_dock_, layers_dock_, tracks_dock_, alerts_dock_, parameters_dock_, time_line_dock_})
+    for (QDockWidget* dock :
+         {connection_dock_, layers_dock_, tracks_dock_, alerts_dock_, parameters_dock_, time_line_dock_})
         dock->show();
     shareOut();
 }
