@@ -16,10 +16,11 @@ struct ConsoleOptions {
     std::string sonar;       ///< address of a head to connect to; empty: none
     std::string navigation;  ///< address of its NMEA 0183; empty: none
     bool no_record = false;
-    std::string connect;  ///< address of a tracker to follow; empty: none
+    std::string connect;     ///< address of a tracker to follow; empty: none
     std::string screenshot;  ///< PNG file; empty: an ordinary session
     std::optional<double> at_s;
-    std::string palette;  ///< empty: as last time
+    std::string palette;   ///< empty: as last time
+    std::string language;  ///< the same
     int width = 1600;
     int height = 1000;
     ScanningSonarPipeline::Params params;

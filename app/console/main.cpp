@@ -40,7 +40,11 @@ int main(int argc, char** argv) {
     QApplication::setStyle("Fusion");
     QSettings::setDefaultFormat(QSettings::IniFormat);
 
-    MainWindow window({.remember = !picture, .play_on_open = !picture, .live = liveAccess()});
+    MainWindow window({.remember = !picture,
+                       .play_on_open = !picture,
+                       .language = QString::fromStdString(options.language),
+                       .steady_alerts = picture,
+                       .live = liveAccess()});
     if (!options.palette.empty()) window.setTheme(themeFromName(QString::fromStdString(options.palette)));
     window.bridge().setSeed(options.seed);
     window.setParams(options.params);

@@ -1,5 +1,6 @@
 #include "core/features/target_reference.hpp"
 
+#include "core/features/likeness_deviations.hpp"
 #include "core/features/region_shape.hpp"
 
 #include <algorithm>
@@ -90,14 +91,24 @@ void TargetReference::average(const RegionFeatures& seen, const RegionFeatures& 
     first_ = now_ = own(next, geometry);
 }
 
+LikenessDeviations likenessDeviations(const RegionFeatures& seen, const RegionFeatures& expected,
+                                      const LikenessParams& params) {
+    LikenessDeviations off;
+    off.area = (params.reference == ReferenceForm::Scaled ? std::log(seen.area_m2 / expected.area_m2)
+                                                          : (seen.area_m2 - expected.area_m2) / expected.area_m2) /
+               params.area_sigma;
+    off.moment = (seen.moment - expected.moment) / params.moment_sigma;
+    if (params.level_sigma_db < strength_left_out_db)
+        off.level = (seen.level_db - expected.level_db) / params.level_sigma_db;
+    if (params.strength_sigma_db < strength_left_out_db)
+        off.strength = (seen.strength_db - expected.strength_db) / params.strength_sigma_db;
+    return off;
+}
+
 double likeness(const RegionFeatures& seen, const RegionFeatures& expected, const LikenessParams& params) {
-    const double area =
-        (params.reference == ReferenceForm::Scaled ? std::log(seen.area_m2 / expected.area_m2)
-                                                   : (seen.area_m2 - expected.area_m2) / expected.area_m2) /
-        params.area_sigma;
-    const double moment = (seen.moment - expected.moment) / params.moment_sigma;
-    const double area_score = std::exp(-0.5 * area * area);
-    const double moment_score = std::exp(-0.5 * moment * moment);
+    const LikenessDeviations off = likenessDeviations(seen, expected, params);
+    const double area_score = std::exp(-0.5 * off.area * off.area);
+    const double moment_score = std::exp(-0.5 * off.moment * off.moment);
     if (params.fusion == Fusion::Product) return area_score * moment_score;
     return params.area_share * area_score + (1 - params.area_share) * moment_score;
 }

@@ -104,6 +104,8 @@ void PipelineBridge::clear() {
     live_.reset();
     if (own_params_) adoptParams(*std::exchange(own_params_, std::nullopt));
     live_state_ = {};
+    echo_awaited_ = false;
+    in_force_at_ping_ = 0;
     live_told_.invalidate();
     info_ = {};
     status_ = {};
@@ -144,8 +146,19 @@ void PipelineBridge::setParams(const Params& params) {
     params_ = params;
     ++revision_;
     if (runner_) runner_->setParams(params_, revision_);
-    if (live_) live_->setParams(params_);
+    if (live_) {
+        const LiveStatus run = live_->state().run;
+        in_force_at_ping_ = run.pings + run.queued + 1;
+        echo_awaited_ = isTracker();
+        live_->setParams(params_);
+    }
     Q_EMIT paramsChanged(params_);
+}
+
+bool PipelineBridge::paramsInForce() const {
+    if (runner_) return status_.revision >= revision_;
+    if (isTracker()) return !echo_awaited_;
+    return !live_ || live_state_.run.pings >= in_force_at_ping_;
 }
 
 void PipelineBridge::pollOpening() {
@@ -179,7 +192,10 @@ void PipelineBridge::poll() {
 
 void PipelineBridge::pollLive() {
     if (auto scene = live_->takeScene()) showScene(std::move(*scene));
-    if (const auto params = live_->takeParams()) adoptParams(*params);
+    if (const auto params = live_->takeParams()) {
+        echo_awaited_ = false;
+        adoptParams(*params);
+    }
     while (const auto notice = live_->takeNotice()) Q_EMIT noticed(notice->text, notice->ok);
     if (live_told_.isValid() && live_told_.elapsed() < live_state_interval_ms) return;
     live_told_.start();

@@ -62,6 +62,8 @@ public:
 
     void setSeed(std::uint64_t seed) { seed_ = seed; }
     void setParams(const Params& params);
+    /// Whether what was set is known to be in force: at the ping that is shown, or aboard.
+    bool paramsInForce() const;
     void setLoop(std::optional<PingSpan> loop);
 
 public Q_SLOTS:
@@ -118,6 +120,8 @@ private:
     bool overrides_recorded_ = false;
     std::optional<Params> own_params_;  ///< of this console, while a tracker or a recorded run has others in force
     std::uint64_t revision_ = 0;
+    bool echo_awaited_ = false;           ///< of the parameters that a far tracker was sent
+    std::uint64_t in_force_at_ping_ = 0;  ///< of a live run: its queue then holds only what came after they were set
     std::uint64_t seed_ = 0;
     double speed_ = 1.0;
     bool enhanced_ = false;

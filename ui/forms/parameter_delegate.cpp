@@ -9,6 +9,8 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <cmath>
+#include <numbers>
 
 namespace echotrail {
 namespace {
@@ -35,10 +37,16 @@ QRect fieldRect(const QRect& cell, int line) {
     return {cell.left() + line / 4, cell.center().y() - height / 2, cell.width() - line / 2, height};
 }
 
-/// The colour of a value: refused, changed or as it was.
+bool isRefused(const QModelIndex& index) { return !index.data(ParameterModel::Refusal).toString().isEmpty(); }
+
+bool isSent(const QModelIndex& index) {
+    return index.data(ParameterModel::ProgressRole).toInt() == static_cast<int>(ParameterModel::Progress::Sent);
+}
+
+/// The colour of a value: refused, sent but not known to be in force, or as it is.
 QColor valueColour(const QModelIndex& index) {
-    if (!index.data(ParameterModel::Refusal).toString().isEmpty()) return currentPalette().warning;
-    return index.data(ParameterModel::Changed).toBool() ? currentPalette().staged : currentPalette().text;
+    if (isRefused(index)) return currentPalette().warning;
+    return isSent(index) ? currentPalette().staged : currentPalette().text;
 }
 
 }  // namespace
@@ -57,10 +65,15 @@ void ParameterDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
         paintName(*painter, option, index);
     } else if (index.column() == ParameterModel::Value) {
         paintField(*painter, option, index);
+    } else if (index.column() == ParameterModel::Star) {
+        const double side = 0.9 * option.fontMetrics.height();
+        QRectF box(0, 0, side, side);
+        box.moveCenter(QRectF(option.rect).center());
+        paintStar(*painter, box, index.data(ParameterModel::Favourite).toBool());
     } else {
         const bool state = index.column() == ParameterModel::State;
         painter->setPen(state ? valueColour(index) : colours.dim);
-        painter->setFont(withWeight(option.font, state));
+        painter->setFont(withWeight(option.font, state && (isRefused(index) || isSent(index))));
         const int space = option.fontMetrics.averageCharWidth() / 2;
         const QRect words = option.rect.adjusted(space, 0, -space, 0);
         painter->drawText(
@@ -104,11 +117,13 @@ void ParameterDelegate::paintName(QPainter& painter, const QStyleOptionViewItem&
                                   const QModelIndex& index) const {
     const Palette& colours = currentPalette();
     const int line = option.fontMetrics.height();
-    const bool refused = !index.data(ParameterModel::Refusal).toString().isEmpty();
+    const bool refused = isRefused(index);
     const bool changed = index.data(ParameterModel::Changed).toBool();
     if (refused || changed)
         painter.fillRect(QRect(option.rect.left(), option.rect.top(), line / 5, option.rect.height() - 1),
-                         refused ? colours.warning : colours.staged);
+                         refused         ? colours.warning
+                         : isSent(index) ? colours.staged
+                                         : colours.accent);
     const QRect words = option.rect.adjusted(line, 0, -line / 4, 0);
     const QFont strong = withWeight(option.font, changed || refused);
     painter.setFont(strong);
@@ -121,6 +136,19 @@ void ParameterDelegate::paintName(QPainter& painter, const QStyleOptionViewItem&
     painter.drawText(
         QRect(words.left(), words.top() + line, words.width(), line), Qt::AlignLeft | Qt::AlignVCenter,
         QFontMetrics(small).elidedText(index.data(ParameterModel::Limits).toString(), Qt::ElideRight, words.width()));
+}
+
+void ParameterDelegate::paintStar(QPainter& painter, const QRectF& box, bool on) const {
+    const Palette& colours = currentPalette();
+    QPolygonF star;
+    for (int i = 0; i < 10; ++i) {
+        const double angle = std::numbers::pi * (i / 5.0 - 0.5);
+        const double reach = box.width() / 2.0 * (i % 2 == 0 ? 1.0 : 0.42);
+        star << box.center() + QPointF(reach * std::cos(angle), reach * std::sin(angle));
+    }
+    painter.setPen(QPen(on ? colours.accent : colours.dim, 1.0));
+    painter.setBrush(on ? QBrush(colours.accent) : QBrush(Qt::NoBrush));
+    painter.drawPolygon(star);
 }
 
 void ParameterDelegate::paintFlag(QPainter& painter, const QRectF& box, bool on) const {
@@ -155,7 +183,9 @@ void ParameterDelegate::paintField(QPainter& painter, const QStyleOptionViewItem
     painter.setBrush(colours.field);
     painter.drawRect(QRectF(field).adjusted(0.5, 0.5, -0.5, -0.5));
     painter.setPen(valueColour(index));
-    painter.drawText(field.adjusted(line / 3, 0, -line / 3, 0), Qt::AlignRight | Qt::AlignVCenter, shown);
+    const QRect words = field.adjusted(line / 3, 0, -line / 3, 0);
+    painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
+                     QFontMetrics(painter.font()).elidedText(shown, Qt::ElideRight, words.width()));
 }
 
 QSize ParameterDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -201,10 +231,14 @@ void ParameterDelegate::updateEditorGeometry(QWidget* editor, const QStyleOption
 
 bool ParameterDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                                     const QModelIndex& index) {
-    if (kindOf(index) != Kind::Flag || index.column() != ParameterModel::Value)
-        return QStyledItemDelegate::editorEvent(event, model, option, index);
     const bool clicked =
         event->type() == QEvent::MouseButtonRelease && static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton;
+    if (index.column() == ParameterModel::Star && clicked) {
+        Q_EMIT favouriteToggled(index);
+        return true;
+    }
+    if (kindOf(index) != Kind::Flag || index.column() != ParameterModel::Value)
+        return QStyledItemDelegate::editorEvent(event, model, option, index);
     const bool typed = event->type() == QEvent::KeyPress && (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space ||
                                                              static_cast<QKeyEvent*>(event)->key() == Qt::Key_Return);
     if (!clicked && !typed) return false;

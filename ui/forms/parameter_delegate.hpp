@@ -22,10 +22,14 @@ public:
     bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                      const QModelIndex& index) override;
 
+Q_SIGNALS:
+    void favouriteToggled(const QModelIndex& index);
+
 private:
     void paintStage(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
     void paintName(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
     void paintField(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
+    void paintStar(QPainter& painter, const QRectF& box, bool on) const;
     void paintFlag(QPainter& painter, const QRectF& box, bool on) const;
 };
 

@@ -20,6 +20,11 @@ void ParameterFilter::setChangedOnly(bool on) {
     invalidateFilter();
 }
 
+void ParameterFilter::setFavouritesOnly(bool on) {
+    favourites_only_ = on;
+    invalidateFilter();
+}
+
 bool ParameterFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
     const QModelIndex index = sourceModel()->index(row, 0, parent);
     if (!index.data(ParameterModel::IsParameter).toBool()) return false;  // a stage shows when something in it does
@@ -27,6 +32,7 @@ bool ParameterFilter::filterAcceptsRow(int row, const QModelIndex& parent) const
     if (changed_only_ && !index.data(ParameterModel::Changed).toBool() &&
         index.data(ParameterModel::Refusal).toString().isEmpty())
         return false;
+    if (favourites_only_ && !index.data(ParameterModel::Favourite).toBool()) return false;
     const QString text = index.data(ParameterModel::SearchText).toString();
     return std::all_of(words_.begin(), words_.end(),
                        [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });

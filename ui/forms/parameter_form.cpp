@@ -25,7 +25,8 @@ QString fileFilter() { return ParameterForm::tr("Parameter sets (*.toml)"); }
 
 }  // namespace
 
-ParameterForm::ParameterForm(ParameterModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+ParameterForm::ParameterForm(ParameterModel& model, ParameterPresets presets, QWidget* parent)
+    : QWidget(parent), model_(model), presets_(std::move(presets)) {
     filter_.setSourceModel(&model_);
     makeTree();
     help_ = new QLabel(this);
@@ -63,6 +64,10 @@ void ParameterForm::makeTree() {
     tree_->setModel(&filter_);
     auto* delegate = new ParameterDelegate(tree_);
     tree_->setItemDelegate(delegate);
+    connect(delegate, &ParameterDelegate::favouriteToggled, this, [this](const QModelIndex& row) {
+        const QModelIndex source = filter_.mapToSource(row);
+        model_.setFavourite(source, !source.data(ParameterModel::Favourite).toBool());
+    });
     tree_->setAccessibleName(tr("Parameters"));
     tree_->setUniformRowHeights(false);
     tree_->setIndentation(0);
@@ -80,8 +85,9 @@ void ParameterForm::makeTree() {
     const QFontMetrics metrics(font());
     header->resizeSection(ParameterModel::Default, metrics.horizontalAdvance("Default 00"));
     header->resizeSection(ParameterModel::Value, metrics.horizontalAdvance("00 000.000 +-"));
-    header->resizeSection(ParameterModel::Unit, metrics.horizontalAdvance("m/s² 0"));
+    tree_->setColumnHidden(ParameterModel::Unit, true);  // the limits under the name say it; names need the room
     header->resizeSection(ParameterModel::State, metrics.horizontalAdvance("✕ refused "));
+    header->resizeSection(ParameterModel::Star, metrics.height() * 3 / 2);
     connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
         showRow(current);
         // Whichever cell was hit, the value is what one edits.
@@ -103,18 +109,22 @@ QWidget* ParameterForm::makeSearchRow() {
     search_->setPlaceholderText(tr("Find  Ctrl+F"));
     search_->setClearButtonEnabled(true);
     search_->setAccessibleName(tr("Find a parameter"));
-    changed_only_ = new QCheckBox(tr("Changed only"), row);
+    changed_only_ = new QCheckBox(tr("Changed"), row);
+    changed_only_->setToolTip(tr("Only what differs from the default, or from the preset that is compared with"));
+    favourites_only_ = new QCheckBox(tr("Favourites"), row);
+    favourites_only_->setToolTip(tr("Only what is starred; a click on the star, or Ctrl+B, stars a parameter"));
     auto* preset = new QToolButton(row);
     preset->setText(tr("Preset"));
     preset->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(preset);
-    menu->addAction(tr("Load…"), this, &ParameterForm::loadFile);
-    menu->addAction(tr("Save…"), this, &ParameterForm::saveFile);
-    preset->setMenu(menu);
+    preset_menu_ = new QMenu(preset);
+    connect(preset_menu_, &QMenu::aboutToShow, this, &ParameterForm::fillPresetMenu);
+    fillPresetMenu();
+    preset->setMenu(preset_menu_);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins({});
     layout->addWidget(search_, 1);
     layout->addWidget(changed_only_);
+    layout->addWidget(favourites_only_);
     layout->addWidget(preset);
     connect(search_, &QLineEdit::textChanged, this, [this](const QString& words) {
         filter_.setSearch(words);
@@ -122,6 +132,10 @@ QWidget* ParameterForm::makeSearchRow() {
     });
     connect(changed_only_, &QCheckBox::toggled, this, [this](bool on) {
         filter_.setChangedOnly(on);
+        openGroups();
+    });
+    connect(favourites_only_, &QCheckBox::toggled, this, [this](bool on) {
+        filter_.setFavouritesOnly(on);
         openGroups();
     });
     return row;
@@ -132,7 +146,6 @@ QWidget* ParameterForm::makeButtons() {
     undo_ = new QPushButton(tr("Undo"), row);
     redo_ = new QPushButton(tr("Redo"), row);
     reset_ = new QPushButton(tr("Default"), row);
-    reset_->setToolTip(tr("Sets the selected parameter back to its default"));
     reset_all_ = new QPushButton(tr("All defaults"), row);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins({});
@@ -182,6 +195,11 @@ void ParameterForm::updateButtons() {
     undo_->setToolTip(stack.canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(stack.undoText()) : tr("Nothing to undo"));
     redo_->setEnabled(stack.canRedo());
     redo_->setToolTip(stack.canRedo() ? tr("Redo: %1 (Ctrl+Shift+Z)").arg(stack.redoText()) : tr("Nothing to redo"));
+    const bool compares = !model_.referenceName().isEmpty();
+    reset_->setText(compares ? tr("Take over") : tr("Default"));
+    reset_->setToolTip(compares ? tr("Sets the selected parameter as in %1").arg(model_.referenceName())
+                                : tr("Sets the selected parameter back to its default"));
+    reset_all_->setText(compares ? tr("Take all") : tr("All defaults"));
     const QModelIndex row = currentParameter();
     reset_->setEnabled(row.isValid() && row.data(ParameterModel::Changed).toBool());
     reset_all_->setEnabled(model_.changedCount() > 0);
@@ -193,6 +211,11 @@ void ParameterForm::focusSearch() {
 }
 
 void ParameterForm::resetRow() { model_.reset(currentParameter()); }
+
+void ParameterForm::toggleFavourite() {
+    const QModelIndex row = currentParameter();
+    model_.setFavourite(row, !row.data(ParameterModel::Favourite).toBool());
+}
 
 void ParameterForm::loadFile() {
     const QString path =

@@ -2,24 +2,27 @@
 
 #include "ui/forms/parameter_filter.hpp"
 #include "ui/forms/parameter_model.hpp"
+#include "ui/forms/parameter_presets.hpp"
 
 #include <QWidget>
 
 class QCheckBox;
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QPushButton;
 class QTreeView;
 
 namespace echotrail {
 
-/// The form grown from the descriptions of the parameters: find, change, undo, go back to defaults, keep in files.
+/// The form grown from the descriptions of the parameters: find, change, undo, go back to defaults, keep in files and
+/// presets, compare with them.
 class ParameterForm : public QWidget {
     Q_OBJECT
 
 public:
     /// The model is not owned and must outlive the form.
-    explicit ParameterForm(ParameterModel& model, QWidget* parent = nullptr);
+    explicit ParameterForm(ParameterModel& model, ParameterPresets presets = {}, QWidget* parent = nullptr);
 
     QTreeView& tree() { return *tree_; }
     void focusSearch();
@@ -28,6 +31,12 @@ public Q_SLOTS:
     void loadFile();
     void saveFile();
     void resetRow();
+    void toggleFavourite();
+    /// Sets what the preset says.
+    void takePreset(const QString& name);
+    /// Values are compared with the preset instead of the defaults; an empty name: with the defaults again.
+    void compareWith(const QString& name);
+    void savePreset(const QString& name);
 
 Q_SIGNALS:
     /// A file was read or written (`ok`) or could not be: a line for the window's message strip.
@@ -36,6 +45,8 @@ Q_SIGNALS:
 private:
     QWidget* makeSearchRow();
     QWidget* makeButtons();
+    void fillPresetMenu();
+    void askForPresetName();
     void makeTree();
     void showRow(const QModelIndex& current);
     void showRefusal(const QString& reason);
@@ -44,10 +55,13 @@ private:
     QModelIndex currentParameter() const;
 
     ParameterModel& model_;
+    ParameterPresets presets_;
     ParameterFilter filter_;
     QTreeView* tree_ = nullptr;
     QLineEdit* search_ = nullptr;
     QCheckBox* changed_only_ = nullptr;
+    QCheckBox* favourites_only_ = nullptr;
+    QMenu* preset_menu_ = nullptr;
     QLabel* help_ = nullptr;
     QLabel* refusal_ = nullptr;
     QPushButton* undo_ = nullptr;

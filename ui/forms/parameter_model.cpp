@@ -1,6 +1,7 @@
 #include "ui/forms/parameter_model.hpp"
 
 #include <QUndoCommand>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -69,13 +70,18 @@ QString limitsText(const ParameterInfo& info) {
 }
 
 ParameterModel::ParameterModel(std::vector<ParameterInfo> infos, QObject* parent)
-    : QAbstractItemModel(parent), infos_(std::move(infos)), refusals_(infos_.size()) {
+    : QAbstractItemModel(parent),
+      infos_(std::move(infos)),
+      refusals_(infos_.size()),
+      progress_(infos_.size()),
+      favourite_(infos_.size()) {
     for (std::size_t i = 0; i < infos_.size(); ++i) {
         values_.push_back(infos_[i].default_value);
         const QString group = text(infos_[i].group);
         if (stages_.empty() || stages_.back().name != group) stages_.push_back({group, i, 0});
         ++stages_.back().count;
     }
+    reference_ = values_;
 }
 
 QModelIndex ParameterModel::indexOf(std::size_t parameter, int column) const {
@@ -103,8 +109,16 @@ int ParameterModel::changedCount() const {
 void ParameterModel::showValues(std::vector<ParameterValue> values) {
     Q_ASSERT(values.size() == infos_.size());
     undo_.clear();
+    for (std::size_t i = 0; i < infos_.size(); ++i) {
+        const bool taken = progress_[i] != Progress::Sent || values[i] == values_[i];
+        refusals_[i] = taken ? QString() : tr("%1 was not taken by the tracker").arg(shownValue(values_[i]));
+        progress_[i] = taken && progress_[i] == Progress::Sent ? Progress::InForce : Progress::None;
+    }
     values_ = std::move(values);
-    refusals_.assign(refusals_.size(), {});
+    announceAll();
+}
+
+void ParameterModel::announceAll() {
     for (int stage = 0; stage < rowCount(); ++stage) {
         const QModelIndex parent = index(stage, 0);
         Q_EMIT dataChanged(index(0, 0, parent), index(rowCount(parent) - 1, column_count - 1, parent));
@@ -122,6 +136,7 @@ void ParameterModel::assign(const std::vector<ParameterValue>& values) {
         if (values_[i] == values[i] && refusals_[i].isEmpty()) continue;
         values_[i] = values[i];
         refusals_[i].clear();
+        progress_[i] = Progress::Sent;
         const QModelIndex stage = indexOf(i).parent();
         Q_EMIT dataChanged(indexOf(i, 0), indexOf(i, column_count - 1));
         Q_EMIT dataChanged(stage, stage.siblingAtColumn(column_count - 1));
@@ -132,14 +147,60 @@ void ParameterModel::assign(const std::vector<ParameterValue>& values) {
 void ParameterModel::reset(const QModelIndex& index) {
     if (!info(index)) return;
     auto values = values_;
-    values[parameterOf(index)] = info(index)->default_value;
-    change(std::move(values), tr("%1 to its default").arg(readableName(*info(index))));
+    values[parameterOf(index)] = reference_[parameterOf(index)];
+    const QString name = readableName(*info(index));
+    change(std::move(values), reference_name_.isEmpty() ? tr("%1 to its default").arg(name)
+                                                        : tr("%1 as in %2").arg(name, reference_name_));
 }
 
 void ParameterModel::resetAll() {
+    change(reference_,
+           reference_name_.isEmpty() ? tr("all to their defaults") : tr("all as in %1").arg(reference_name_));
+}
+
+void ParameterModel::setReference(const QString& name, std::vector<ParameterValue> values) {
+    Q_ASSERT(values.size() == infos_.size());
+    reference_ = std::move(values);
+    reference_name_ = name;
+    Q_EMIT headerDataChanged(Qt::Horizontal, Default, Default);
+    announceAll();
+}
+
+void ParameterModel::clearReference() {
     std::vector<ParameterValue> defaults;
     for (const ParameterInfo& info : infos_) defaults.push_back(info.default_value);
-    change(std::move(defaults), tr("all to their defaults"));
+    setReference({}, std::move(defaults));
+}
+
+int ParameterModel::sentCount() const {
+    return static_cast<int>(std::count(progress_.begin(), progress_.end(), Progress::Sent));
+}
+
+void ParameterModel::confirmSent(bool known) {
+    for (std::size_t i = 0; i < infos_.size(); ++i) {
+        if (progress_[i] != Progress::Sent) continue;
+        progress_[i] = known ? Progress::InForce : Progress::None;
+        Q_EMIT dataChanged(indexOf(i, 0), indexOf(i, column_count - 1));
+    }
+}
+
+void ParameterModel::setFavourite(const QModelIndex& index, bool on) {
+    if (!info(index)) return;
+    favourite_[parameterOf(index)] = on;
+    Q_EMIT dataChanged(index.siblingAtColumn(0), index.siblingAtColumn(column_count - 1));
+    Q_EMIT favouritesChanged();
+}
+
+QStringList ParameterModel::favourites() const {
+    QStringList names;
+    for (std::size_t i = 0; i < infos_.size(); ++i)
+        if (favourite_[i]) names << text(infos_[i].name);
+    return names;
+}
+
+void ParameterModel::setFavourites(const QStringList& names) {
+    for (std::size_t i = 0; i < infos_.size(); ++i) favourite_[i] = names.contains(text(infos_[i].name));
+    announceAll();
 }
 
 QModelIndex ParameterModel::index(int row, int column, const QModelIndex& parent) const {
@@ -167,9 +228,7 @@ ParameterModel::ParameterKind ParameterModel::kind(std::size_t parameter) const 
     return std::holds_alternative<int>(info.default_value) ? ParameterKind::Whole : ParameterKind::Real;
 }
 
-bool ParameterModel::isChanged(std::size_t parameter) const {
-    return values_[parameter] != infos_[parameter].default_value;
-}
+bool ParameterModel::isChanged(std::size_t parameter) const { return values_[parameter] != reference_[parameter]; }
 
 QVariant ParameterModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
@@ -214,6 +273,9 @@ QVariant ParameterModel::parameterData(std::size_t parameter, int column, int ro
             return isChanged(parameter);
         case Refusal:
             return refusals_[parameter];
+        case Qt::AccessibleTextRole:
+            if (column == Star) return favourite_[parameter] ? tr("favourite") : tr("no favourite");
+            return displayText(parameter, column);
         case SearchText:
             return text(info.name + " " + info.group + " " + info.help) + " " + readableName(info);
         case PlainName:
@@ -222,6 +284,10 @@ QVariant ParameterModel::parameterData(std::size_t parameter, int column, int ro
             return true;
         case Kind:
             return static_cast<int>(kind(parameter));
+        case Favourite:
+            return static_cast<bool>(favourite_[parameter]);
+        case ProgressRole:
+            return static_cast<int>(progress_[parameter]);
         case Minimum:
             return info.minimum;
         case Maximum:
@@ -242,7 +308,7 @@ QString ParameterModel::displayText(std::size_t parameter, int column) const {
         case Name:
             return readableName(info);
         case Default:
-            return shownValue(info.default_value);
+            return shownValue(reference_[parameter]);
         case Value:
             return shownValue(values_[parameter]);
         case Unit:
@@ -256,6 +322,8 @@ QString ParameterModel::displayText(std::size_t parameter, int column) const {
 
 QString ParameterModel::stateText(std::size_t parameter) const {
     if (!refusals_[parameter].isEmpty()) return QStringLiteral("✕ ") + tr("refused");
+    if (progress_[parameter] == Progress::Sent) return QStringLiteral("… ") + tr("sent");
+    if (progress_[parameter] == Progress::InForce) return QStringLiteral("✓ ") + tr("in force");
     return isChanged(parameter) ? tr("changed") : QString();
 }
 
@@ -265,7 +333,8 @@ QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, in
         return QVariant::fromValue(section == Value || section == Default ? Qt::AlignRight | Qt::AlignVCenter
                                                                           : Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole) return {};
-    const QStringList titles{tr("Name"), tr("Default"), tr("Value"), tr("Unit"), tr("State")};
+    const QString reference = reference_name_.isEmpty() ? tr("Default") : reference_name_;
+    const QStringList titles{tr("Name"), reference, tr("Value"), tr("Unit"), QString(), tr("State")};
     return titles.value(section);
 }
 

@@ -14,10 +14,10 @@ class ParameterModel : public QAbstractItemModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Default, Value, Unit, State, column_count };
+    enum Column { Name, Default, Value, Unit, Star, State, column_count };
     enum Role {
         Limits = Qt::UserRole,  ///< "3 … 40 dB" or the choices
-        Changed,                ///< whether the value differs from the default; of a stage: how many do
+        Changed,                ///< whether the value differs from the reference; of a stage: how many do
         Refusal,                ///< why the last typed value was not taken; empty when it was
         SearchText,             ///< everything a search may hit
         PlainName,              ///< as in files and on the command line
@@ -25,8 +25,12 @@ public:
         Choices,                ///< QStringList, only of a choice
         Kind,                   ///< ParameterKind as int
         Minimum,
-        Maximum
+        Maximum,
+        Favourite,    ///< the operator wants it at hand
+        ProgressRole  ///< Progress as int
     };
+    /// How far a change of this session has come.
+    enum class Progress { None, Sent, InForce };
     enum class ParameterKind { Stage, Flag, Whole, Real, Choice };
 
     explicit ParameterModel(std::vector<ParameterInfo> infos, QObject* parent = nullptr);
@@ -36,9 +40,20 @@ public:
     const ParameterInfo* info(const QModelIndex& index) const;  ///< null for a stage
     QModelIndex indexOf(std::size_t parameter, int column = Value) const;
     int changedCount() const;
+    int sentCount() const;
+    /// What changes have been sent is in force; `known` false: nothing is there to say so.
+    void confirmSent(bool known = true);
+    /// What values are compared with, and go back to: a preset, or the defaults where the name is empty.
+    void setReference(const QString& name, std::vector<ParameterValue> values);
+    void clearReference();
+    const QString& referenceName() const { return reference_name_; }
+    void setFavourite(const QModelIndex& index, bool on);
+    QStringList favourites() const;  ///< as in files
+    void setFavourites(const QStringList& names);
     QUndoStack& undoStack() { return undo_; }
 
-    /// Takes over a whole set from outside, e.g. the command line: not announced, the undo history is emptied.
+    /// Takes over a whole set from outside, e.g. the command line: not announced, the undo history is emptied. What was
+    /// sent and is not among them was not taken.
     void showValues(std::vector<ParameterValue> values);
     /// A change of several parameters as one step of the undo history. Values must have passed their limits.
     void change(std::vector<ParameterValue> values, const QString& title);
@@ -59,6 +74,7 @@ Q_SIGNALS:
     /// The whole set after a change that passed its limits.
     void valuesChanged(const std::vector<echotrail::ParameterValue>& values);
     void refused(const QString& reason);
+    void favouritesChanged();
 
 private:
     friend class ParameterChange;
@@ -68,6 +84,7 @@ private:
         std::size_t count = 0;
     };
 
+    void announceAll();
     void assign(const std::vector<ParameterValue>& values);
     std::size_t parameterOf(const QModelIndex& index) const;
     QVariant stageData(const Stage& stage, int column, int role) const;
@@ -81,6 +98,10 @@ private:
     std::vector<ParameterInfo> infos_;
     std::vector<ParameterValue> values_;
     std::vector<QString> refusals_;
+    std::vector<Progress> progress_;
+    std::vector<bool> favourite_;
+    std::vector<ParameterValue> reference_;
+    QString reference_name_;
     std::vector<Stage> stages_;
     QUndoStack undo_;
 };

@@ -5,12 +5,15 @@
 
 namespace echotrail {
 
-Result<std::vector<ParameterValue>> readParameterSet(const QString& path, const std::vector<ParameterInfo>& infos,
-                                                     std::vector<ParameterValue> values) {
-    const auto assignments = readParameterFile(path.toStdString());
+namespace {
+
+using Values = Result<std::vector<ParameterValue>>;
+
+Values assigned(const Result<std::vector<ParameterAssignment>>& assignments, const QString& name,
+                const std::vector<ParameterInfo>& infos, std::vector<ParameterValue> values) {
     if (!assignments) return Error{assignments.error()};
     for (const ParameterAssignment& assignment : *assignments) {
-        const std::string where = path.toStdString() + ":" + std::to_string(assignment.line) + ": ";
+        const std::string where = name.toStdString() + ":" + std::to_string(assignment.line) + ": ";
         const auto named = std::find_if(infos.begin(), infos.end(),
                                         [&](const ParameterInfo& info) { return info.name == assignment.name; });
         if (named == infos.end()) return Error{where + unknownParameter(assignment.name, infos).message};
@@ -19,6 +22,18 @@ Result<std::vector<ParameterValue>> readParameterSet(const QString& path, const 
         values[static_cast<std::size_t>(named - infos.begin())] = *checked;
     }
     return values;
+}
+
+}  // namespace
+
+Values readParameterSet(const QString& path, const std::vector<ParameterInfo>& infos,
+                        std::vector<ParameterValue> values) {
+    return assigned(readParameterFile(path.toStdString()), path, infos, std::move(values));
+}
+
+Values parameterSetFromText(std::string_view text, const QString& name, const std::vector<ParameterInfo>& infos,
+                            std::vector<ParameterValue> values) {
+    return assigned(readParameterText(text, name.toStdString()), name, infos, std::move(values));
 }
 
 Result<void> writeParameterSet(const QString& path, const std::vector<ParameterInfo>& infos,

@@ -13,10 +13,10 @@ namespace {
 /// A small drawn sign: a cross, or two panes.
 class TitleButton : public QAbstractButton {
 public:
-    TitleButton(bool cross, const QString& name, QWidget* parent) : QAbstractButton(parent), cross_(cross) {
+    TitleButton(bool cross, QWidget* parent) : QAbstractButton(parent), cross_(cross) { setFocusPolicy(Qt::TabFocus); }
+    void setName(const QString& name) {
         setAccessibleName(name);
         setToolTip(name);
-        setFocusPolicy(Qt::TabFocus);
     }
     QSize sizeHint() const override { return {fontMetrics().height() * 5 / 4, fontMetrics().height() * 5 / 4}; }
 
@@ -46,15 +46,19 @@ private:
 }  // namespace
 
 DockTitle::DockTitle(QDockWidget* dock) : QWidget(dock) {
-    auto* title = new QLabel(dock->windowTitle(), this);
+    auto* title = new QLabel(this);
     QFont strong = font();
     strong.setWeight(QFont::DemiBold);
     title->setFont(strong);
     summary_ = new QLabel(this);
     summary_->setObjectName("dim");
-    auto* layout_widget = new TitleButton(false, tr("Float or dock “%1”").arg(dock->windowTitle()), this);
-    auto* close =
-        new TitleButton(true, tr("Close “%1”; the Window menu brings it back").arg(dock->windowTitle()), this);
+    auto* layout_widget = new TitleButton(false, this);
+    auto* close = new TitleButton(true, this);
+    connect(dock, &QWidget::windowTitleChanged, this, [this, title, layout_widget, close](const QString& name) {
+        title->setText(name);
+        layout_widget->setName(tr("Float or dock “%1”").arg(name));
+        close->setName(tr("Close “%1”; the Window menu brings it back").arg(name));
+    });
     auto* row = new QHBoxLayout(this);
     const int gap = fontMetrics().height() / 2;
     row->setContentsMargins(gap, gap / 3, gap / 2, gap / 3);
@@ -75,8 +79,8 @@ void DockTitle::paintEvent(QPaintEvent*) {
     painter.fillRect(QRect(0, height() - 1, width(), 1), currentPalette().line);
 }
 
-QDockWidget* makeDock(const QString& object_name, const QString& title, QWidget* content, QWidget* parent) {
-    auto* dock = new QDockWidget(title, parent);
+QDockWidget* makeDock(const QString& object_name, QWidget* content, QWidget* parent) {
+    auto* dock = new QDockWidget(parent);
     dock->setObjectName(object_name);
     dock->setWidget(content);
     dock->setTitleBarWidget(new DockTitle(dock));

@@ -21,8 +21,8 @@ private:
     QLabel* summary_ = nullptr;
 };
 
-/// A dock with such a head. The object name keys the saved layout.
-QDockWidget* makeDock(const QString& object_name, const QString& title, QWidget* content, QWidget* parent);
+/// A dock with such a head; its title is given later, in every language. The object name keys the saved layout.
+QDockWidget* makeDock(const QString& object_name, QWidget* content, QWidget* parent);
 /// Changes what the head says is in the dock.
 void setSummary(QDockWidget* dock, const QString& summary);
 

@@ -1,5 +1,6 @@
 #include "ui/main_window/main_window.hpp"
 
+#include "ui/alerts/alert_centre.hpp"
 #include "ui/main_window/dock_title.hpp"
 #include "ui/main_window/message_strip.hpp"
 #include "ui/main_window/recent_recordings.hpp"
@@ -27,6 +28,7 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace echotrail {
 namespace {
@@ -37,6 +39,7 @@ constexpr int slow_opening_ms = 300;      // a quick one says nothing, so that t
 }  // namespace
 
 MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(parent), options_(options) {
+    applyLanguage(*qApp, firstLanguage());
     if (options_.remember) theme_ = themeFromName(QSettings().value("palette").toString());
     applyTheme(*qApp, theme_);  // first: all lengths come from its font
     setWindowTitle(tr("Echotrail"));
@@ -47,6 +50,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(pa
     makeDocks();
     makeStatusBars();
     shortcuts_ = new ShortcutsOverlay(this);
+    connectTracker();
     makeMenus();
     connectBridge();
     qApp->installEventFilter(this);
@@ -54,7 +58,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(pa
     if (options_.remember) {
         QSettings settings;
         restoreGeometry(settings.value("geometry").toByteArray());
-        restoreState(settings.value("layout").toByteArray(), layout_version);
+        laid_out_ = restoreState(settings.value("layout").toByteArray(), layout_version);
         start_->setRecent(recentRecordings());
     }
     setTheme(theme_);
@@ -95,35 +99,52 @@ void MainWindow::makeCentre() {
 
 void MainWindow::makeDocks() {
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);  // the card is tall, the time line is not
     layers_ = new LayersPanel(*fan_, this);
     tracks_ = new TracksPanel(this);
     parameters_ = new ParameterPanel(bridge_, this);
+    if (options_.remember) parameters_->rememberFavourites();
     transport_ = new TransportPanel(bridge_, this);
-    layers_dock_ = makeDock("layers", tr("Layers"), layers_, this);
-    tracks_dock_ = makeDock("tracks", tr("Tracks"), tracks_, this);
-    parameters_dock_ = makeDock("parameters", tr("Parameters"), parameters_, this);
-    time_line_dock_ = makeDock("time_line", tr("Time line"), transport_, this);
+    layers_dock_ = makeDock("layers", layers_, this);
+    tracks_dock_ = makeDock("tracks", tracks_, this);
+    parameters_dock_ = makeDock("parameters", parameters_, this);
+    time_line_dock_ = makeDock("time_line", transport_, this);
     addDockWidget(Qt::LeftDockWidgetArea, layers_dock_);
     addDockWidget(Qt::RightDockWidgetArea, tracks_dock_);
     addDockWidget(Qt::RightDockWidgetArea, parameters_dock_);
+    tabifyDockWidget(tracks_dock_, parameters_dock_);
+    tracks_dock_->raise();
     addDockWidget(Qt::BottomDockWidgetArea, time_line_dock_);
     makeConnectionDock();
-    // Widths in the proportions of the design: 252 and 378 of 1600.
-    const int line = fontMetrics().height();
-    resizeDocks({connection_dock_, tracks_dock_}, {14 * line, 22 * line}, Qt::Horizontal);
-    resizeDocks({tracks_dock_, parameters_dock_}, {26 * line, 18 * line}, Qt::Vertical);
-    resizeDocks({time_line_dock_}, {8 * line}, Qt::Vertical);
+    makeAlerts();
+    shareOut();
     connect(tracks_, &TracksPanel::trackSelected, fan_, &FanView::setSelectedTrack);
     connect(fan_, &FanView::trackSelected, tracks_, &TracksPanel::selectTrack);
     connect(tracks_, &TracksPanel::designateRequested, this,
             [this](double range_m, Bearing from_bow) { bridge_.designate(range_m, from_bow.inRadians()); });
+    connect(tracks_, &TracksPanel::muteRequested, this, [this](int id, bool on) { alerts_->setMuted(id, on); });
+    for (const auto happening : {&PipelineBridge::opened, &PipelineBridge::closed})
+        connect(&bridge_, happening, tracks_, &TracksPanel::startAnew);
     connect(tracks_, &TracksPanel::clearRequested, this, [this] { bridge_.clearDesignation(); });
     connect(parameters_, &ParameterPanel::message, this, &MainWindow::say);
     connect(transport_, &TransportPanel::message, this, &MainWindow::say);
     connect(parameters_, &ParameterPanel::summaryChanged, this,
             [this](const QString& summary) { setSummary(parameters_dock_, summary); });
     parameters_->showParams();
+}
+
+void MainWindow::shareOut() {
+    // Widths in the proportions of the design: 252 and 378 of 1600; the card of a track is tall.
+    const int line = fontMetrics().height();
+    resizeDocks({connection_dock_, tracks_dock_}, {14 * line, 23 * line}, Qt::Horizontal);
+    resizeDocks({tracks_dock_, alerts_dock_}, {42 * line, 10 * line}, Qt::Vertical);
+    resizeDocks({time_line_dock_}, {8 * line}, Qt::Vertical);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    // Only now the window has its size; before, least heights decided.
+    if (!std::exchange(laid_out_, true)) shareOut();
 }
 
 void MainWindow::makeStatusBars() {
@@ -143,18 +164,22 @@ void MainWindow::makeStatusBars() {
         connection_dock_->show();
         connection_dock_->raise();
     });
+    connect(status_, &StatusBar::alertsClicked, this, [this] {
+        alerts_dock_->show();
+        alerts_dock_->raise();
+    });
     connect(status_, &StatusBar::tracksClicked, tracks_dock_, &QWidget::show);
     connect(status_, &StatusBar::themeClicked, this, &MainWindow::nextTheme);
 
     foot_ = new QLabel(tr("No source open"), this);
-    auto* keys =
-        new QLabel(tr("Space play   ← → 5 s   Shift one sweep   Ctrl one ping   , . speed   ? shortcuts"), this);
+    keys_ = new QLabel(this);
     foot_->setObjectName("dim");
-    keys->setObjectName("dim");
+    keys_->setObjectName("dim");
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setContentsMargins(fontMetrics().height() / 2, 0, fontMetrics().height() / 2, 0);
     statusBar()->addWidget(foot_, 1);
-    statusBar()->addPermanentWidget(keys);
+    statusBar()->addPermanentWidget(keys_);
+    nameDocks();
 }
 
 void MainWindow::connectBridge() {
@@ -213,7 +238,10 @@ void MainWindow::onOpened() {
     fan_->setFocus(Qt::OtherFocusReason);
     QStringList notes;
     for (const std::string& note : info.notes) notes << QString::fromStdString(note);
-    foot_->setText((bridge_.isTracker() ? tr("Following %1") : bridge_.isLive() ? tr("Polling %1") : tr("Opened %1")).arg(QString::fromStdString(info.name)) +
+    foot_->setText((bridge_.isTracker() ? tr("Following %1")
+                    : bridge_.isLive()  ? tr("Polling %1")
+                                        : tr("Opened %1"))
+                       .arg(QString::fromStdString(info.name)) +
                    "   " + QString::fromStdString(info.head) +
                    (notes.isEmpty() ? QString() : "   " + tr("notes on it under FILE")));
     foot_->setToolTip(notes.join("\n"));
@@ -228,8 +256,10 @@ void MainWindow::onScene(const std::shared_ptr<const Scene>& scene) {
     if (!rests && readouts_.isValid() && readouts_.elapsed() < readout_interval_ms) return;
     readouts_.start();
     status_->showScene(*scene);
+    tracks_->setParams(bridge_.params().tracker);
     tracks_->setScene(*scene);
     layers_->setScene(*scene);
+    alerts_->showScene(*scene, bridge_.isLive());
 }
 
 void MainWindow::onStatus(const ReplayStatus& status) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/bridge/pipeline_bridge.hpp"
+#include "ui/language/language.hpp"
 #include "ui/style/palette.hpp"
 
 #include <QElapsedTimer>
@@ -12,6 +13,8 @@ class QStackedWidget;
 
 namespace echotrail {
 
+class AlertCentre;
+class AlertsPanel;
 class ConnectionPanel;
 struct CommandedSector;
 class FanView;
@@ -33,6 +36,8 @@ public:
     struct Options {
         bool remember = true;  ///< keep layout, palette and recent recordings in the settings
         bool play_on_open = true;
+        QString language;            ///< "en", "zh"; empty: as last time, or the computer's
+        bool steady_alerts = false;  ///< nothing flashes
         LiveAccess live;
     };
 
@@ -45,28 +50,38 @@ public:
     MessageStrip& messages() { return *messages_; }
     StaleBanner& stale() { return *stale_; }
     ConnectionPanel& connection() { return *connection_; }
+    AlertCentre& alerts() { return *alerts_; }
 
     void openRecording(const QString& path);
     void openDemonstration();
     /// Follows a tracker at tcp://HOST:PORT.
     void openTracker(const QString& address);
     void setTheme(Theme theme);
+    /// Of everything that is on the screen or comes to it.
+    void setLanguage(Language language);
     /// Parameters given from outside; the form shows them.
     void setParams(const PipelineBridge::Params& params);
     /// Writes a picture of the window, or of the fan only. False, and a line in the strip, where that failed.
     bool saveScreenshot(const QString& path, bool fan_only = false);
 
 protected:
+    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void makeDocks();
+    void shareOut();
     void makeStatusBars();
     void makeCentre();
     void connectBridge();
+    Language firstLanguage() const;
+    void retranslate();
+    void nameDocks();
+    void makeLanguageMenu(QMenu& menu);
     void makeMenus();
     void makeFileMenu();
     void makeViewMenu();
@@ -74,9 +89,13 @@ private:
     /// Keeps a check mark in step with the fan, whoever changed it.
     void followFan(QAction& action, std::function<bool(const FanView&)> on);
     void makeSonarMenu();
+    void connectTracker();
     void makeTrackerMenu(QMenu& menu);
     void askForTracker();
     void showTracker(const LiveState& state);
+    void makeAlerts();
+    void makeAlertsMenu();
+    void showAlerts();
     void makeTrackMenu();
     void makeRecordingMenu();
     void makeParametersMenu();
@@ -113,10 +132,14 @@ private:
     QAction* disconnect_ = nullptr;
     std::vector<std::pair<QAction*, TrackerControl>> control_actions_;
     StaleBanner* stale_ = nullptr;
+    AlertCentre* alerts_ = nullptr;
+    AlertsPanel* alerts_panel_ = nullptr;
+    QDockWidget* alerts_dock_ = nullptr;
     QAction* edit_sector_ = nullptr;
     bool recording_failure_told_ = false;
-    static constexpr int layout_version = 2;  ///< of what is saved: another one is not restored
+    static constexpr int layout_version = 3;  ///< of what is saved: another one is not restored
     QByteArray first_layout_;
+    bool laid_out_ = false;  ///< as it was left last time, or by shareOut()
     QMenu* recent_menu_ = nullptr;
     QStackedWidget* centre_ = nullptr;
     StartPage* start_ = nullptr;
@@ -135,6 +158,7 @@ private:
     QDockWidget* parameters_dock_ = nullptr;
     QDockWidget* time_line_dock_ = nullptr;
     QLabel* foot_ = nullptr;
+    QLabel* keys_ = nullptr;
 };
 
 }  // namespace echotrail

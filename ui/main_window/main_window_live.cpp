@@ -14,7 +14,7 @@ namespace echotrail {
 
 void MainWindow::makeConnectionDock() {
     connection_ = new ConnectionPanel(bridge_, options_.remember, this);
-    connection_dock_ = makeDock("connection", tr("Sonar"), connection_, this);
+    connection_dock_ = makeDock("connection", connection_, this);
     addDockWidget(Qt::LeftDockWidgetArea, connection_dock_);
     tabifyDockWidget(connection_dock_, layers_dock_);
     connect(connection_, &ConnectionPanel::headEdited, parameters_, &ParameterPanel::enter);

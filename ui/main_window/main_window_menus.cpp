@@ -5,6 +5,7 @@
 #include "ui/main_window/status_bar.hpp"
 #include "ui/panels/layers/layers_panel.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
+#include "ui/panels/tracks/tracks_panel.hpp"
 #include "ui/panels/transport/transport_panel.hpp"
 #include "ui/views/fan_view.hpp"
 
@@ -31,6 +32,7 @@ void MainWindow::makeMenus() {
     makeViewMenu();
     makeSonarMenu();
     makeTrackMenu();
+    makeAlertsMenu();
     makeRecordingMenu();
     makeParametersMenu();
     makeWindowMenu();
@@ -71,9 +73,10 @@ void MainWindow::fillRecentMenu() {
 void MainWindow::makeViewMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&View"));
     addAction(menu, tr("Day, dusk, &night"), QKeySequence("F5"), [this] { nextTheme(); });
+    makeLanguageMenu(*menu.addMenu(tr("Lan&guage")));
     menu.addSeparator();
     makeLayersMenu(*menu.addMenu(tr("&Layers")));
-    auto* orientation = new QActionGroup(this);
+    auto* orientation = new QActionGroup(&menu);
     const auto orient = [&](const QString& title, Orientation which) {
         auto* action = addAction(menu, title, {}, [this, which] { fan_->setOrientation(which); });
         action->setActionGroup(orientation);
@@ -127,8 +130,19 @@ void MainWindow::followFan(QAction& action, std::function<bool(const FanView&)> 
 
 void MainWindow::makeTrackMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Track"));
-    need_source_.push_back(addAction(menu, tr("&Clear the designation"), QKeySequence(Qt::Key_Delete),
-                                     [this] { bridge_.clearDesignation(); }));
+    const auto add = [&](const QString& text, const QKeySequence& key, const QString& tip, std::function<void()> act) {
+        need_source_.push_back(addAction(menu, text, key, std::move(act)));
+        need_source_.back()->setStatusTip(tip);
+    };
+    add(tr("&Designate the selected one"), QKeySequence("Ctrl+Return"),
+        tr("Makes the track that is selected in the list the target"), [this] { tracks_->designateSelected(); });
+    add(tr("&Clear the designation"), QKeySequence(Qt::Key_Delete), tr("No target; all tracks live on"),
+        [this] { bridge_.clearDesignation(); });
+    menu.addSeparator();
+    add(tr("&Name the selected one"), QKeySequence("Ctrl+R"), tr("Your own name for it, on this console"),
+        [this] { tracks_->editName(); });
+    add(tr("&Mute the selected one"), QKeySequence("Ctrl+M"), tr("No alerts about it; the same again wants them back"),
+        [this] { tracks_->toggleMute(); });
 }
 
 void MainWindow::makeRecordingMenu() {
@@ -163,21 +177,25 @@ void MainWindow::makeParametersMenu() {
     menu.addSeparator();
     auto* undo = addAction(menu, tr("&Undo"), QKeySequence("Ctrl+Z"), [&stack] { stack.undo(); });
     auto* redo = addAction(menu, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), [&stack] { stack.redo(); });
-    undo->setEnabled(false);
-    redo->setEnabled(false);
+    undo->setEnabled(stack.canUndo());
+    redo->setEnabled(stack.canRedo());
     connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
     connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
     menu.addSeparator();
+    addAction(menu, tr("Star the selected &one"), QKeySequence("Ctrl+B"), [&form] {
+        form.toggleFavourite();
+    })->setStatusTip(tr("Makes it a favourite, or no longer"));
     addAction(menu, tr("&Load set…"), {}, [&form] { form.loadFile(); });
     addAction(menu, tr("&Save set…"), {}, [&form] { form.saveFile(); });
     menu.addSeparator();
-    addAction(menu, tr("Selected one to its &default"), {}, [&form] { form.resetRow(); });
-    addAction(menu, tr("&All to their defaults"), {}, [this] { parameters_->model().resetAll(); });
+    addAction(menu, tr("Selected one to its &default, or as compared"), {}, [&form] { form.resetRow(); });
+    addAction(menu, tr("&All to their defaults, or as compared"), {}, [this] { parameters_->model().resetAll(); });
 }
 
 void MainWindow::makeWindowMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Window"));
-    for (QDockWidget* dock : {connection_dock_, layers_dock_, tracks_dock_, parameters_dock_, time_line_dock_})
+    for (QDockWidget* dock :
+         {connection_dock_, layers_dock_, tracks_dock_, alerts_dock_, parameters_dock_, time_line_dock_})
         menu.QWidget::addAction(dock->toggleViewAction());
     menu.addSeparator();
     addAction(menu, tr("&Reset layout"), {}, [this] { resetLayout(); });
@@ -235,8 +253,10 @@ void MainWindow::nextTheme() {
 
 void MainWindow::resetLayout() {
     restoreState(first_layout_, layout_version);
-    for (QDockWidget* dock : {connection_dock_, layers_dock_, tracks_dock_, parameters_dock_, time_line_dock_})
+    for (QDockWidget* dock :
+         {connection_dock_, layers_dock_, tracks_dock_, alerts_dock_, parameters_dock_, time_line_dock_})
         dock->show();
+    shareOut();
 }
 
 void MainWindow::showAbout() {

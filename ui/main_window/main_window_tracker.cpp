@@ -32,6 +32,9 @@ void MainWindow::makeTrackerMenu(QMenu& menu) {
     add(tr("&Give control"), TrackerControl::Give);
     add(tr("&Keep control"), TrackerControl::Keep);
     add(tr("Ta&ke control"), TrackerControl::Take);
+}
+
+void MainWindow::connectTracker() {
     stale_ = new StaleBanner(fan_);
     connect(&bridge_, &PipelineBridge::noticed, this, &MainWindow::say);
     connect(&bridge_, &PipelineBridge::paramsAdopted, this, [this] { parameters_->showParams(); });

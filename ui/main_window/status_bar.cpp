@@ -1,5 +1,6 @@
 #include "ui/main_window/status_bar.hpp"
 
+#include "ui/alerts/alert_centre.hpp"
 #include "ui/main_window/status_chip.hpp"
 #include "ui/panels/transport/transport_panel.hpp"
 #include "ui/style/formatter.hpp"
@@ -24,22 +25,22 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
     row->setContentsMargins({});
     row->setSpacing(0);
     row->addSpacing(0);
-    file_ = addChip(*row, tr("FILE"));
-    position_ = addChip(*row, tr("POSITION"));
-    speed_ = addChip(*row, tr("SPEED"));
-    tracker_ = addChip(*row, tr("TRACKER"));
-    control_ = addChip(*row, tr("CONTROL"));
-    link_ = addChip(*row, tr("LINK"));
-    sonar_ = addChip(*row, tr("SONAR"));
-    heading_ = addChip(*row, tr("HDG"));
-    recording_ = addChip(*row, tr("REC"));
-    pings_ = addChip(*row, tr("PINGS"));
-    track_ = addChip(*row, tr("TRACK"));
+    file_ = addChip(*row);
+    position_ = addChip(*row);
+    speed_ = addChip(*row);
+    tracker_ = addChip(*row);
+    control_ = addChip(*row);
+    link_ = addChip(*row);
+    sonar_ = addChip(*row);
+    heading_ = addChip(*row);
+    recording_ = addChip(*row);
+    pings_ = addChip(*row);
+    track_ = addChip(*row);
+    alerts_ = addChip(*row);
     row->addStretch(1);
-    utc_ = addChip(*row, tr("UTC"));
+    utc_ = addChip(*row);
     theme_ = new QToolButton(this);
     theme_->setAutoRaise(true);
-    theme_->setToolTip(tr("Day, dusk or night (F5)"));
     theme_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
     row->addWidget(theme_);
     connect(file_, &QAbstractButton::clicked, this, &StatusBar::openClicked);
@@ -48,12 +49,33 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
     for (StatusChip* chip : {link_, sonar_, heading_, recording_})
         connect(chip, &QAbstractButton::clicked, this, &StatusBar::connectionClicked);
     connect(track_, &QAbstractButton::clicked, this, &StatusBar::tracksClicked);
+    connect(alerts_, &QAbstractButton::clicked, this, &StatusBar::alertsClicked);
     connect(theme_, &QToolButton::clicked, this, &StatusBar::themeClicked);
+    nameChips();
+    showAlerts({}, true);
     showNothing();
 }
 
-StatusChip* StatusBar::addChip(QHBoxLayout& row, const QString& label) {
-    auto* chip = new StatusChip(label, this);
+void StatusBar::nameChips() {
+    file_->setLabel(tr("FILE"));
+    position_->setLabel(tr("POSITION"));
+    speed_->setLabel(tr("SPEED"));
+    tracker_->setLabel(tr("TRACKER"));
+    control_->setLabel(tr("CONTROL"));
+    link_->setLabel(tr("LINK"));
+    sonar_->setLabel(tr("SONAR"));
+    heading_->setLabel(tr("HDG"));
+    recording_->setLabel(tr("REC"));
+    pings_->setLabel(tr("PINGS"));
+    track_->setLabel(tr("TRACK"));
+    alerts_->setLabel(tr("ALERTS"));
+    utc_->setLabel(tr("UTC"));
+    theme_->setToolTip(tr("Day, dusk or night (F5)"));
+    update();
+}
+
+StatusChip* StatusBar::addChip(QHBoxLayout& row) {
+    auto* chip = new StatusChip(this);
     row.addWidget(chip);
     return chip;
 }
@@ -70,6 +92,8 @@ void StatusBar::setMode(Mode mode) {
     for (StatusChip* chip : {file_, position_, speed_}) chip->setVisible(mode != Mode::Live);
     for (StatusChip* chip : {link_, sonar_, heading_, recording_}) chip->setVisible(mode == Mode::Live);
     for (StatusChip* chip : {tracker_, control_}) chip->setVisible(false);  // until the state says that there is one
+    // The bar is tinted then: what is dim elsewhere could not be read on it.
+    for (StatusChip* chip : findChildren<StatusChip*>()) chip->setOnBright(mode == Mode::Replay);
     rate_clock_.invalidate();
     update();
 }
@@ -158,6 +182,22 @@ void StatusBar::showScene(const Scene& scene) {
     showTrack(scene);
 }
 
+void StatusBar::showAlerts(const AlertSummary& alerts, bool lit) {
+    QStringList counts;
+    const auto count = [&counts](int number, const QString& one, const QString& several) {
+        if (number > 0) counts << (number == 1 ? one : several.arg(number));
+    };
+    count(alerts.alarms, tr("1 alarm"), tr("%1 alarms"));
+    count(alerts.warnings, tr("1 warning"), tr("%1 warnings"));
+    count(alerts.cautions, tr("1 caution"), tr("%1 cautions"));
+    const Health asking = alerts.new_alarm ? Health::Alarm : Health::Degraded;
+    const bool asks = alerts.new_alarm || alerts.new_warning;
+    const Health standing = counts.isEmpty() ? Health::Good : Health::Degraded;
+    alerts_->show(asks && (lit || !alerts.new_alarm) ? asking : standing,
+                  counts.isEmpty() ? tr("none") : counts.front(), counts.mid(1).join("  "));
+    alerts_->setToolTip(asks ? tr("%1 (A acknowledges)").arg(alerts.title) : tr("Shows the list of alerts"));
+}
+
 void StatusBar::showTheme(const QString& name) { theme_->setText(QStringLiteral("◐ ") + name); }
 
 void StatusBar::paintEvent(QPaintEvent*) {
@@ -170,7 +210,7 @@ void StatusBar::paintEvent(QPaintEvent*) {
         return;
     }
     QColor tint = colours.warning;
-    tint.setAlphaF(0.22F);
+    tint.setAlphaF(0.18F);
     painter.fillRect(rect(), tint);
     painter.fillRect(QRect(0, height() - edge, width(), edge), colours.warning);
     const QRect word(0, 0, word_lines * fontMetrics().height(), height());

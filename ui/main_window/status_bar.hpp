@@ -13,6 +13,7 @@ class QToolButton;
 namespace echotrail {
 
 class StatusChip;
+struct AlertSummary;
 
 /// The bar at the top: REPLAY in yellow while a recording is shown, what it is, how fast it goes, what was refused in
 /// it; of a head that is polled the link, the head, the heading and the recording, each with its age; then how the
@@ -23,12 +24,16 @@ class StatusBar : public QWidget {
 public:
     explicit StatusBar(QWidget* parent = nullptr);
 
+    /// In the language in force.
+    void nameChips();
     void showNothing();
     void showSource(const SourceInfo& info);
     void showStatus(const ReplayStatus& status);
     /// `longest_heading_gap_s`: an older heading is no use.
     void showLive(const LiveState& state, double longest_heading_gap_s);
     void showScene(const Scene& scene);
+    /// `lit`: what asks for the operator is shown filled at this moment of flashing.
+    void showAlerts(const AlertSummary& alerts, bool lit);
     void showTheme(const QString& name);
 
 Q_SIGNALS:
@@ -37,12 +42,13 @@ Q_SIGNALS:
     void tracksClicked();
     void themeClicked();
     void connectionClicked();
+    void alertsClicked();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    StatusChip* addChip(QHBoxLayout& row, const QString& label);
+    StatusChip* addChip(QHBoxLayout& row);
     void showTrack(const Scene& scene);
     void showCounts(const SourceCounts& counts);
     enum class Mode { Nothing, Replay, Live };
@@ -69,6 +75,7 @@ private:
     double rate_ = 0.0;
     StatusChip* pings_ = nullptr;
     StatusChip* track_ = nullptr;
+    StatusChip* alerts_ = nullptr;
     StatusChip* utc_ = nullptr;
     QToolButton* theme_ = nullptr;
 };

@@ -1,5 +1,6 @@
 #include "ui/main_window/status_chip.hpp"
 
+#include "ui/panels/alerts/alert_icon.hpp"
 #include "ui/style/formatter.hpp"
 #include "ui/style/palette.hpp"
 
@@ -15,7 +16,7 @@ QFont bold(QFont font) {
 
 }  // namespace
 
-StatusChip::StatusChip(const QString& label, QWidget* parent) : QAbstractButton(parent), label_(label) {
+StatusChip::StatusChip(QWidget* parent) : QAbstractButton(parent) {
     setFocusPolicy(Qt::TabFocus);
     show(Health::Absent, {});
 }
@@ -26,6 +27,13 @@ void StatusChip::show(Health health, const QString& value, const QString& detail
     health_ = health;
     value_ = shown;
     detail_ = detail;
+    setAccessibleName(label_ + " " + value_ + " " + detail_);
+    updateGeometry();
+    update();
+}
+
+void StatusChip::setLabel(const QString& label) {
+    label_ = label;
     setAccessibleName(label_ + " " + value_ + " " + detail_);
     updateGeometry();
     update();
@@ -63,6 +71,10 @@ void StatusChip::paintMark(QPainter& painter, const QRectF& box) const {
                              QPointF(box.center().x(), box.top() + box.height() * 0.6));
             painter.drawPoint(QPointF(box.center().x(), box.top() + box.height() * 0.8));
             break;
+        case Health::Alarm:
+            paintAlertIcon(painter, box.adjusted(-1, -1, 1, 1), AlertPriority::Alarm, colours.panel, colours.alarm,
+                           true);
+            break;
         case Health::Absent:
             painter.setBrush(Qt::NoBrush);
             painter.setPen(QPen(colours.dim, box.width() / 7));
@@ -71,10 +83,17 @@ void StatusChip::paintMark(QPainter& painter, const QRectF& box) const {
     }
 }
 
+QColor StatusChip::valueColour() const {
+    const Palette& colours = currentPalette();
+    if (health_ == Health::Alarm) return colours.panel;
+    return health_ == Health::Degraded && !on_bright_ ? colours.warning : colours.text;
+}
+
 void StatusChip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const Palette& colours = currentPalette();
+    if (health_ == Health::Alarm) painter.fillRect(rect(), colours.alarm);
     const double space = fontMetrics().averageCharWidth();
     double x = 1.5 * space;
     if (health_ != Health::Plain) {
@@ -88,9 +107,10 @@ void StatusChip::paintEvent(QPaintEvent*) {
         painter.drawText(QRectF(x, 0, width() - x - space, height()), Qt::AlignLeft | Qt::AlignVCenter, text);
         x += QFontMetrics(font).horizontalAdvance(text) + space;
     };
-    write(label_, font(), on_bright_ ? colours.text : colours.dim);
-    write(value_, bold(font()), health_ == Health::Degraded && !on_bright_ ? colours.warning : colours.text);
-    write(detail_, font(), on_bright_ ? colours.text : colours.dim);
+    const QColor words = health_ == Health::Alarm ? colours.panel : on_bright_ ? colours.text : colours.dim;
+    write(label_, font(), words);
+    write(value_, bold(font()), valueColour());
+    write(detail_, font(), words);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colours.line, 1.0));
     painter.drawLine(QPointF(width() - 0.5, 0), QPointF(width() - 0.5, height()));

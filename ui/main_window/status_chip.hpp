@@ -10,9 +10,10 @@ class StatusChip : public QAbstractButton {
     Q_OBJECT
 
 public:
-    enum class Health { Plain, Good, Degraded, Absent };
+    enum class Health { Plain, Good, Degraded, Alarm, Absent };
 
-    explicit StatusChip(const QString& label, QWidget* parent = nullptr);
+    explicit StatusChip(QWidget* parent = nullptr);
+    void setLabel(const QString& label);
     /// An empty value shows as unknown.
     void show(Health health, const QString& value, const QString& detail = {});
     /// Text painted dark on a bright bar.
@@ -26,6 +27,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    QColor valueColour() const;
     void paintMark(QPainter& painter, const QRectF& box) const;
 
     QString label_;

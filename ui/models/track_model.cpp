@@ -2,10 +2,12 @@
 
 #include "ui/style/formatter.hpp"
 #include "ui/style/palette.hpp"
+#include "ui/views/beam_schedule.hpp"
 #include "ui/views/track_painter.hpp"
 
 #include <QFont>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -27,6 +29,7 @@ int rank(TrackState state) {
 }
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double least_moving_mps = 0.05;
 
 }  // namespace
 
@@ -45,6 +48,10 @@ QString stateWord(TrackState state) {
 }
 
 void TrackModel::setScene(const Scene& scene) {
+    if (headingKnown(scene) != true_courses_) {
+        true_courses_ = !true_courses_;
+        Q_EMIT headerDataChanged(Qt::Horizontal, Course, Course);
+    }
     std::vector<Row> rows;
     for (const Track& track : scene.tracks) {
         Row row{track.id, track.state, track.target};
@@ -52,6 +59,11 @@ void TrackModel::setScene(const Scene& scene) {
         row.from_bow = bearingOf(track, scene.latest.pose);
         // One look tells no speed.
         row.speed_mps = track.looks > 1 ? track.estimate.mean.tail<2>().norm() : unknown;
+        row.course_rad = unknown;
+        if (row.speed_mps >= least_moving_mps) {
+            const double from_north = std::atan2(track.estimate.mean(3), track.estimate.mean(2));
+            row.course_rad = from_north - (true_courses_ ? 0.0 : scene.latest.pose.heading.inRadians());
+        }
         row.age_s = secondsBetween(track.last_seen, scene.latest.time);
         row.quality = track.existence;
         rows.push_back(row);
@@ -105,13 +117,16 @@ QString TrackModel::text(const Row& row, int column) const {
         case Id:
             return Formatter::trackId(row.id);
         case State:
-            return stateWord(row.state);
+            return stateText(row);
         case Range:
             return Formatter::rangeNumber(row.range_m);
         case BearingFromBow:
             return Formatter::bearingNumber(row.from_bow);
         case Speed:
             return Formatter::number(row.speed_mps, 2);
+        case Course:
+            return std::isfinite(row.course_rad) ? Formatter::bearingNumber(Bearing::radians(row.course_rad))
+                                                 : Formatter::unknown();
         case Age:
             return Formatter::number(row.age_s, 1);
         case Quality:
@@ -119,6 +134,36 @@ QString TrackModel::text(const Row& row, int column) const {
         default:
             return {};
     }
+}
+
+QString TrackModel::stateText(const Row& row) const {
+    QStringList words{name(row.id), stateWord(row.state)};
+    words.removeAll({});
+    if (isMuted(row.id)) words << tr("muted");
+    return words.join(QStringLiteral(" · "));
+}
+
+void TrackModel::setName(int id, const QString& name) {
+    const QString kept = name.simplified().left(longest_name);
+    if (kept.isEmpty())
+        names_.remove(id);
+    else
+        names_[id] = kept;
+    if (const int row = rowOf(id); row >= 0) Q_EMIT dataChanged(index(row, State), index(row, State));
+}
+
+void TrackModel::setMuted(int id, bool on) {
+    if (on)
+        muted_.insert(id);
+    else
+        muted_.remove(id);
+    if (const int row = rowOf(id); row >= 0) Q_EMIT dataChanged(index(row, State), index(row, State));
+}
+
+void TrackModel::forgetTracks() {
+    names_.clear();
+    muted_.clear();
+    clear();
 }
 
 QVariant TrackModel::foreground(const Row& row, int column) const {
@@ -140,7 +185,9 @@ QVariant TrackModel::data(const QModelIndex& index, int role) const {
         case Qt::TextAlignmentRole:
             return QVariant(Qt::AlignVCenter | (index.column() >= Range ? Qt::AlignRight : Qt::AlignLeft));
         case Qt::AccessibleTextRole:
-            return Formatter::trackId(row.id) + " " + stateWord(row.state) + (row.target ? tr(", target") : QString());
+            return Formatter::trackId(row.id) + " " + stateText(row) + (row.target ? tr(", target") : QString());
+        case Qt::ToolTipRole:
+            return Formatter::trackId(row.id) + " " + stateText(row);
         case IdRole:
             return row.id;
         case StateRole:
@@ -168,6 +215,8 @@ QVariant TrackModel::headerData(int section, Qt::Orientation orientation, int ro
             return tr("Brg °R");
         case Speed:
             return tr("m/s");
+        case Course:
+            return true_courses_ ? tr("Crs °T") : tr("Crs °R");
         case Age:
             return tr("Age s");
         case Quality:

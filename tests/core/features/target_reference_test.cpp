@@ -1,6 +1,7 @@
 #include "core/features/target_reference.hpp"
 
 #include "core/base/angles.hpp"
+#include "core/features/likeness_deviations.hpp"
 #include "core/features/region_shape.hpp"
 
 #include <gtest/gtest.h>
@@ -71,6 +72,24 @@ TEST(Likeness, TenPercentOfAreaAtAQuarterSigmaKeepsItsWeight) {
     LikenessParams published;
     published.area_sigma = 0.25;
     EXPECT_NEAR(likeness(b, a, published), 0.92, 0.015);  // method card, section 0: 0.92 with the squared form
+}
+
+TEST(Likeness, IsMadeOfTheDeviationsThatCanBeReadOneByOne) {
+    const RegionFeatures expected{1.0, -1.4, 0.8, 1.5, 20.0, 50.0};
+    const RegionFeatures region{2.0, -1.1, 0.9, 2.6, 12.0, 45.0};
+    LikenessParams params;
+    params.area_sigma = std::log(2.0);
+    params.moment_sigma = 0.6;
+    params.strength_sigma_db = 4.0;
+    const LikenessDeviations off = likenessDeviations(region, expected, params);
+    EXPECT_NEAR(off.area, 1.0, 1e-12);
+    EXPECT_NEAR(off.moment, 0.5, 1e-12);
+    EXPECT_NEAR(off.strength, -2.0, 1e-12);
+    EXPECT_NEAR(off.level, -0.5, 1e-12);
+    EXPECT_NEAR(likeness(region, expected, params), std::exp(-0.5 * 1.25), 1e-12);
+    EXPECT_NEAR(levelLikeness(region.level_db, expected.level_db, params), std::exp(-0.125), 1e-12);
+    params.strength_sigma_db = 1000.0;
+    EXPECT_EQ(likenessDeviations(region, expected, params).strength, 0.0) << "left out";
 }
 
 }  // namespace

@@ -36,6 +36,18 @@ TEST_P(PaletteTest, TextIsReadableOnEveryGround) {
     EXPECT_GE(contrast(palette_.text, palette_.selected), 4.5);
 }
 
+TEST_P(PaletteTest, WhatIsInverseIsReadableToo) {
+    const double least = GetParam() == Theme::Night ? 4.0 : 4.5;
+    EXPECT_GE(contrast(palette_.panel, palette_.alarm), least) << "an alarm's box";
+    EXPECT_GE(contrast(palette_.panel, palette_.warning), least) << "the word REPLAY";
+}
+
+TEST_P(PaletteTest, TermsAndStripsAreTellableOnTheirGround) {
+    for (const QColor& colour : {palette_.accent, palette_.warning, palette_.text})
+        for (const QColor& ground : {palette_.field, palette_.panel})
+            EXPECT_GE(contrast(colour, ground), 3.0) << colour.name().toStdString();
+}
+
 TEST_P(PaletteTest, MarksAreTellableFromTheirGround) {
     EXPECT_GE(contrast(palette_.ok, palette_.panel), 3.0);
     EXPECT_GE(contrast(palette_.off, palette_.panel), 2.5);
@@ -55,6 +67,8 @@ TEST_P(PaletteTest, NoOverlayLooksLikeAnEchoOfTheGreyMap) {
     EXPECT_GE(nearest(palette_.mark), night ? 17.0 : 16.0);
     EXPECT_GE(nearest(palette_.region), night ? 16.0 : 22.0);
     EXPECT_GE(nearest(palette_.danger), night ? 15.0 : 18.0);
+    EXPECT_GE(nearest(palette_.guard), 15.0);
+    EXPECT_GE(nearest(palette_.caution), 15.0);
 }
 
 TEST_P(PaletteTest, EveryEchoMapGetsLighterWithTheLevel) {

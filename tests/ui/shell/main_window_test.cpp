@@ -2,7 +2,9 @@
 
 #include "qt_environment.hpp"
 #include "ui/main_window/message_strip.hpp"
+#include "tests/ui/look/colour_measures.hpp"
 #include "ui/main_window/shortcuts_overlay.hpp"
+#include "ui/main_window/status_chip.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
 #include "ui/views/fan_view.hpp"
 
@@ -85,6 +87,16 @@ TEST_P(MainWindowTest, AFileThatIsNoRecordingIsSaidInTheStripWithoutABox) {
     EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
 }
 
+TEST_P(MainWindowTest, TheBarOfAReplayCanBeRead) {
+    openScan(60);
+    auto* chip = window_.findChild<StatusChip*>();
+    ASSERT_NE(chip, nullptr);
+    ASSERT_TRUE(await([&] { return chip->x() > 0; })) << "room for the word REPLAY";
+    const QColor ground = window_.grab().toImage().pixelColor(chip->mapTo(&window_, QPoint(chip->width() - 4, 3)));
+    EXPECT_GE(test::contrast(currentPalette().text, ground), GetParam() == Theme::Night ? 4.0 : 4.5)
+        << ground.name().toStdString();
+}
+
 TEST_P(MainWindowTest, TheFanHasMostOfTheWidth) {
     openScan(60);
     QTest::qWait(10);
@@ -107,7 +119,11 @@ TEST(MainWindow, AParameterChangedInTheFormReachesTheRunningPipeline) {
     model.setData(model.indexOf(static_cast<std::size_t>(named - infos.begin())), "1500");
     const auto before = window.bridge().status().revision;
     EXPECT_EQ(window.bridge().params().head.sound_speed, 1500.0);
+    EXPECT_EQ(model.sentCount(), 1) << "not before the run says so";
     ASSERT_TRUE(await([&] { return window.bridge().status().revision > before; }));
+    ASSERT_TRUE(await([&] { return model.sentCount() == 0; }));
+    const auto row = static_cast<std::size_t>(named - infos.begin());
+    EXPECT_TRUE(model.indexOf(row, ParameterModel::State).data().toString().contains("in force"));
 }
 
 TEST(MainWindow, ADroppedFileIsOpened) {

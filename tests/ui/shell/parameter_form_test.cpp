@@ -117,5 +117,40 @@ TEST_F(ParameterFormTest, AClickTurnsASwitch) {
     EXPECT_FALSE(std::get<bool>(model_.values()[2]));
 }
 
+TEST_F(ParameterFormTest, AClickOnTheStarMakesAFavourite) {
+    const auto& view_model = *form_.tree().model();
+    const QModelIndex star = view_model.index(1, ParameterModel::Star, view_model.index(0, 0));
+    QTest::mouseClick(form_.tree().viewport(), Qt::LeftButton, {}, form_.tree().visualRect(star).center());
+    EXPECT_EQ(model_.favourites(), QStringList{"looks"});
+    EXPECT_EQ(announced_, 0);
+    QTest::qWait(1);
+    form_.toggleFavourite();
+    EXPECT_TRUE(model_.favourites().isEmpty()) << "by key, of the row in hand";
+}
+
+TEST(ParameterFormPresets, AreTakenTakenBackAndComparedWith) {
+    ParameterModel model(test::sampleParameters());
+    ParameterForm form(model, ParameterPresets({{"deep", "threshold_db = 20\nlooks = 3\n"}}, {}));
+    QString said;
+    QObject::connect(&form, &ParameterForm::message, [&](const QString& text, bool) { said = text; });
+    form.show();
+    form.compareWith("deep");
+    EXPECT_EQ(model.changedCount(), 1);
+    const auto& view_model = *form.tree().model();
+    ASSERT_EQ(view_model.rowCount(), 1) << "only what differs is shown";
+    EXPECT_EQ(view_model.rowCount(view_model.index(0, 0)), 1);
+    form.takePreset("deep");
+    EXPECT_EQ(std::get<double>(model.values()[0]), 20.0);
+    EXPECT_EQ(model.changedCount(), 0);
+    model.undoStack().undo();
+    EXPECT_EQ(std::get<double>(model.values()[0]), 12.0);
+    form.compareWith({});
+    EXPECT_EQ(model.changedCount(), 0);
+    form.takePreset("shallow");
+    EXPECT_TRUE(said.contains("was not taken")) << said.toStdString();
+    form.savePreset("mine");
+    EXPECT_TRUE(said.contains("Not kept")) << "there is no folder";
+}
+
 }  // namespace
 }  // namespace echotrail

@@ -3,12 +3,14 @@
 #include "core/pipelines/scanning_sonar_pipeline.hpp"
 #include "sample_parameters.hpp"
 #include "ui/forms/parameter_filter.hpp"
+#include "ui/forms/parameter_presets.hpp"
 #include "ui/forms/parameter_set.hpp"
 #include "ui/forms/parameter_spin_box.hpp"
 
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -94,6 +96,107 @@ TEST_F(ParameterModelTest, ResettingAllIsOneStepBack) {
     EXPECT_EQ(model_.changedCount(), 3);
     model_.reset(model_.indexOf(3));
     EXPECT_EQ(model_.changedCount(), 2);
+}
+
+TEST_F(ParameterModelTest, AChangeIsSentUntilItIsKnownToBeInForce) {
+    const auto state = [&](std::size_t i) { return model_.indexOf(i, ParameterModel::State).data().toString(); };
+    model_.setData(model_.indexOf(0), "14");
+    EXPECT_EQ(model_.sentCount(), 1);
+    EXPECT_TRUE(state(0).contains("sent"));
+    EXPECT_EQ(state(1), "");
+    model_.confirmSent();
+    EXPECT_EQ(model_.sentCount(), 0);
+    EXPECT_TRUE(state(0).contains("in force"));
+    model_.setData(model_.indexOf(1), "4");
+    model_.confirmSent(false);
+    EXPECT_EQ(state(1), "changed") << "nothing runs that could say so";
+}
+
+TEST_F(ParameterModelTest, WhatTheTrackerDidNotTakeSaysSo) {
+    const auto before = model_.values();
+    model_.setData(model_.indexOf(0), "14");
+    model_.setData(model_.indexOf(1), "4");
+    auto aboard = before;
+    aboard[1] = 4;
+    model_.showValues(aboard);
+    EXPECT_TRUE(model_.indexOf(0).data(ParameterModel::Refusal).toString().contains("14 was not taken"));
+    EXPECT_TRUE(model_.indexOf(0, ParameterModel::State).data().toString().contains("refused"));
+    EXPECT_TRUE(model_.indexOf(1).data(ParameterModel::Refusal).toString().isEmpty());
+    EXPECT_TRUE(model_.indexOf(1, ParameterModel::State).data().toString().contains("in force"));
+    EXPECT_EQ(threshold(), 12.0);
+}
+
+TEST_F(ParameterModelTest, IsComparedWithAPresetInPlaceOfTheDefaults) {
+    const auto title = [&] { return model_.headerData(ParameterModel::Default, Qt::Horizontal).toString(); };
+    auto preset = model_.values();
+    preset[0] = 20.0;
+    model_.setReference("deep", preset);
+    EXPECT_EQ(title(), "deep");
+    EXPECT_EQ(model_.changedCount(), 1);
+    EXPECT_EQ(model_.indexOf(0, ParameterModel::Default).data().toString(), "20");
+    model_.reset(model_.indexOf(0));
+    EXPECT_EQ(threshold(), 20.0) << "taken over";
+    EXPECT_EQ(model_.changedCount(), 0);
+    model_.clearReference();
+    EXPECT_EQ(title(), "Default");
+    EXPECT_EQ(model_.changedCount(), 1) << "it differs from the default now";
+    model_.resetAll();
+    EXPECT_EQ(threshold(), 12.0);
+}
+
+TEST_F(ParameterModelTest, FavouritesAreKeptByNameAndFiltered) {
+    int told = 0;
+    QObject::connect(&model_, &ParameterModel::favouritesChanged, [&] { ++told; });
+    model_.setFavourite(model_.indexOf(4), true);
+    model_.setFavourite(model_.index(0, 0), true);
+    EXPECT_EQ(model_.favourites(), QStringList{"gate_m"}) << "a stage is none";
+    EXPECT_EQ(told, 1);
+    ParameterFilter filter;
+    filter.setSourceModel(&model_);
+    const Tester filter_tester(&filter, Tester::FailureReportingMode::Fatal);
+    filter.setFavouritesOnly(true);
+    ASSERT_EQ(filter.rowCount(), 1);
+    EXPECT_EQ(filter.index(0, 0).data().toString(), "Tracking");
+    model_.setFavourites({"looks", "of another version"});
+    EXPECT_EQ(model_.favourites(), QStringList{"looks"});
+    EXPECT_EQ(filter.index(0, 0).data().toString(), "Detection");
+}
+
+class ParameterPresetsTest : public ParameterModelTest {
+protected:
+    QTemporaryDir folder_;
+    ParameterPresets presets_{{{"careful", "threshold_db = 20\n"}, {"broken", "threshold_db = 99\n"}},
+                              folder_.filePath("presets")};
+};
+
+TEST_F(ParameterPresetsTest, SetWhatTheyMentionAndLeaveTheRest) {
+    model_.setData(model_.indexOf(1), "5");
+    const auto read = presets_.read("careful", model_.infos(), model_.values());
+    ASSERT_TRUE(read) << read.error();
+    EXPECT_EQ(std::get<double>((*read)[0]), 20.0);
+    EXPECT_EQ(std::get<int>((*read)[1]), 5);
+    const auto broken = presets_.read("broken", model_.infos(), model_.values());
+    ASSERT_FALSE(broken);
+    EXPECT_NE(broken.error().find("broken:1: threshold_db"), std::string::npos) << broken.error();
+    EXPECT_FALSE(presets_.read("nobody's", model_.infos(), model_.values()));
+}
+
+TEST_F(ParameterPresetsTest, OnesOwnAreKeptAndReplaced) {
+    EXPECT_TRUE(presets_.own().isEmpty());
+    model_.setData(model_.indexOf(0), "14");
+    ASSERT_TRUE(presets_.save("harbour deep", model_.infos(), model_.values()));
+    model_.setData(model_.indexOf(0), "15");
+    ASSERT_TRUE(presets_.save("harbour deep", model_.infos(), model_.values()));
+    EXPECT_EQ(presets_.own(), QStringList{"harbour deep"});
+    EXPECT_EQ(*presets_.read("harbour deep", model_.infos(), {model_.values()}), model_.values());
+}
+
+TEST_F(ParameterPresetsTest, ANameCannotLeadOutOfTheFolderNorHideABuiltInOne) {
+    for (const char* name : {"", "../escape", "a/b", ".hidden", "careful", "nul\nline"})
+        EXPECT_FALSE(presets_.save(name, model_.infos(), model_.values())) << name;
+    EXPECT_FALSE(presets_.save(QString(41, 'a'), model_.infos(), model_.values()));
+    EXPECT_TRUE(presets_.own().isEmpty());
+    EXPECT_FALSE(QFile::exists(folder_.filePath("escape.toml")));
 }
 
 TEST_F(ParameterModelTest, ASetGoesThroughAFileUnchanged) {

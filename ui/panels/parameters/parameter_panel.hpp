@@ -21,6 +21,8 @@ public:
     void showParams();
     /// As if `text` had been typed into the field of the parameter called `name`.
     void enter(const QString& name, const QString& text);
+    /// Favourites are kept in the settings from now on.
+    void rememberFavourites();
 
 Q_SIGNALS:
     void message(const QString& text, bool ok);
@@ -29,7 +31,10 @@ Q_SIGNALS:
 
 private:
     void apply(const std::vector<ParameterValue>& values);
+    void makeForm();
     void summarise();
+    /// Tells the form once what was sent is in force.
+    void followSent();
 
     PipelineBridge& bridge_;
     ParameterModel model_;

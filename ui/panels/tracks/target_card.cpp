@@ -1,21 +1,27 @@
 #include "ui/panels/tracks/target_card.hpp"
 
+#include "core/features/likeness_deviations.hpp"
 #include "ui/models/track_model.hpp"
+#include "ui/panels/tracks/strip_chart.hpp"
+#include "ui/panels/tracks/term_bar.hpp"
+#include "ui/panels/tracks/track_reasons.hpp"
+#include "ui/panels/tracks/track_strips.hpp"
 #include "ui/style/formatter.hpp"
+#include "ui/style/label_role.hpp"
 #include "ui/style/ui_metrics.hpp"
 #include "ui/views/beam_schedule.hpp"
 #include "ui/views/track_painter.hpp"
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace echotrail {
 namespace {
 
-constexpr double nis_limit = 5.99;  ///< 95 % of a consistent track's values lie below: χ² of two dimensions
 constexpr double least_moving_mps = 0.05;
 
 QString plusMinus(double value, int decimals, const QString& unit) {
@@ -34,13 +40,6 @@ QLabel* dimLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setObjectName("dim");
     return label;
-}
-
-void setName(QLabel& label, const char* name) {
-    if (label.objectName() == name) return;
-    label.setObjectName(name);
-    label.style()->unpolish(&label);
-    label.style()->polish(&label);
 }
 
 }  // namespace
@@ -65,6 +64,8 @@ TargetCard::TargetCard(QWidget* parent) : QWidget(parent) {
     column->addLayout(values);
     column->addLayout(comparisons);
     column->addLayout(facts);
+    chart_ = new StripChart(this);
+    column->addWidget(chart_);
     column->addStretch(1);
     showNothing();
 }
@@ -87,31 +88,37 @@ void TargetCard::addValues(QGridLayout& grid) {
 }
 
 void TargetCard::addComparisons(QGridLayout& grid) {
-    const std::array names{tr("Place"),           tr("Area"),    tr("Moment m*"), tr("Along the beam"),
-                           tr("Across the beam"), tr("Strength")};
+    const std::array names{tr("Place"), tr("Area"), tr("Moment m*"), tr("Strength"), tr("Level")};
     grid.addWidget(dimLabel(tr("Why this echo"), this), 0, 0);
-    grid.addWidget(dimLabel(tr("Expected"), this), 0, 1, Qt::AlignRight);
+    grid.addWidget(dimLabel(tr("Reference"), this), 0, 1, Qt::AlignRight);
     grid.addWidget(dimLabel(tr("Seen"), this), 0, 2, Qt::AlignRight);
+    grid.addWidget(dimLabel(tr("log likelihood"), this), 0, 3, Qt::AlignRight);
     for (int i = 0; i < ComparisonCount; ++i) {
         auto& comparison = comparisons_[static_cast<std::size_t>(i)];
-        comparison = {dimLabel({}, this), new QLabel(this)};
+        comparison = {dimLabel({}, this), new QLabel(this), new TermBar(this)};
         grid.addWidget(new QLabel(names[static_cast<std::size_t>(i)], this), i + 1, 0);
         grid.addWidget(comparison.expected, i + 1, 1, Qt::AlignRight);
         grid.addWidget(comparison.seen, i + 1, 2, Qt::AlignRight);
+        grid.addWidget(comparison.term, i + 1, 3, Qt::AlignRight);
     }
-    grid.setColumnStretch(0, 2);
-    grid.setColumnStretch(1, 1);
-    grid.setColumnStretch(2, 1);
+    grid.setVerticalSpacing(UiMetrics(font()).pixels(3.0));
+    for (const int column : {0, 1, 2, 3}) grid.setColumnStretch(column, 1);
 }
 
 void TargetCard::addFacts(QGridLayout& grid) {
-    const std::array names{tr("Looks"), tr("Likeness"), tr("NIS, limit %1").arg(nis_limit), tr("Particles"),
-                           tr("Born")};
+    const std::array names{tr("State"), tr("Near it"), tr("NIS"), tr("Particles"), tr("Born")};
     for (int i = 0; i < FactCount; ++i) {
-        facts_[static_cast<std::size_t>(i)] = new QLabel(this);
+        QLabel* fact = facts_[static_cast<std::size_t>(i)] = new QLabel(this);
+        fact->setObjectName("fact");
+        fact->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long one must not widen the card
         grid.addWidget(dimLabel(names[static_cast<std::size_t>(i)], this), i, 0);
-        grid.addWidget(facts_[static_cast<std::size_t>(i)], i, 1);
+        grid.addWidget(fact, i, 1);
     }
+    facts_[Competing]->setToolTip(tr("Regions of the last sweep in its gate: likeness to the reference, and distance"));
+    facts_[Consistency]->setToolTip(
+        tr("Normalised innovation squared: a track that knows how sure it is has 95 % of its looks below %1")
+            .arg(TrackStrips::nis_limit));
+    grid.setVerticalSpacing(UiMetrics(font()).pixels(3.0));
     grid.setColumnStretch(1, 1);
 }
 
@@ -119,19 +126,21 @@ void TargetCard::setValue(ValueName name, const QString& value, const QString& d
     const Value& field = values_[name];
     field.value->setText(value);
     field.detail->setText(detail);
-    setName(*field.value, stale ? "card_stale" : "card_value");
+    setLabelRole(*field.value, stale ? "card_stale" : "card_value");
 }
 
 void TargetCard::showNothing() {
     title_->setText(tr("No track selected"));
     subtitle_->setText(tr("click a row to read its card"));
-    setName(*subtitle_, "dim");
+    setLabelRole(*subtitle_, "dim");
     for (int i = 0; i < ValueCount; ++i) setValue(static_cast<ValueName>(i), Formatter::unknown(), {}, true);
     for (const Comparison& comparison : comparisons_) {
         comparison.expected->setText(Formatter::unknown());
         comparison.seen->setText(Formatter::unknown());
+        comparison.term->setTerm(std::numeric_limits<double>::quiet_NaN());
     }
     for (QLabel* fact : facts_) fact->setText(Formatter::unknown());
+    chart_->setStrips({}, {}, chartSpan(0.0));
 }
 
 void TargetCard::showValues(const Track& track, const Scene& scene) {
@@ -166,44 +175,59 @@ void TargetCard::showValues(const Track& track, const Scene& scene) {
     setValue(ExistenceValue, Formatter::probability(track.existence), {}, stale);
 }
 
-void TargetCard::showComparisons(const Track& track) {
+void TargetCard::showComparisons(const Track& track, const LikenessParams& params) {
     const RegionFeatures& expected = track.expected_features;
     const RegionFeatures& seen = track.seen_features;
-    const auto compare = [this](ComparisonName name, double reference, double measured, int decimals,
-                                const QString& unit) {
-        const auto shown = [&](double value) {
-            return unit.isEmpty() ? Formatter::number(value, decimals) : Formatter::withUnit(value, decimals, unit);
-        };
-        comparisons_[name].expected->setText(shown(reference));
-        comparisons_[name].seen->setText(shown(measured));
+    const LikenessDeviations off = likenessDeviations(seen, expected, params);
+    const auto compare = [this](ComparisonName name, const QString& reference, const QString& measured,
+                                double deviation) {
+        comparisons_[name].expected->setText(reference);
+        comparisons_[name].seen->setText(measured);
+        comparisons_[name].term->setTerm(-0.5 * deviation * deviation);
     };
-    comparisons_[Place].expected->setText(Formatter::unknown());
-    comparisons_[Place].seen->setText(tr("%1 off").arg(Formatter::withUnit(track.innovation_m, 2, "m")));
-    compare(Area, expected.area_m2, seen.area_m2, 2, "m²");
-    compare(Moment, expected.moment, seen.moment, 2, {});
-    compare(Along, expected.along_range_m, seen.along_range_m, 2, "m");
-    compare(Across, expected.across_range_m, seen.across_range_m, 2, "m");
-    compare(Strength, expected.strength_db, seen.strength_db, 1, "dB");
+    const auto metres2 = [](double value) { return Formatter::withUnit(value, 2, "m²"); };
+    const auto decibels = [](double value) { return Formatter::withUnit(value, 1, "dB"); };
+    compare(Place, Formatter::unknown(), tr("%1 off").arg(Formatter::withUnit(track.innovation_m, 2, "m")),
+            std::sqrt(track.nis));
+    compare(Area, metres2(expected.area_m2), metres2(seen.area_m2), off.area);
+    compare(Moment, Formatter::number(expected.moment, 2), Formatter::number(seen.moment, 2), off.moment);
+    compare(Strength, decibels(expected.strength_db), decibels(seen.strength_db), off.strength);
+    compare(Level, decibels(expected.level_db), decibels(seen.level_db), off.level);
 }
 
-void TargetCard::showTrack(const Track& track, const Scene& scene) {
-    title_->setText(Formatter::trackId(track.id));
-    subtitle_->setText((track.target ? tr("target · %1") : QString("%1")).arg(stateWord(track.state)));
-    setName(*subtitle_, track.state == TrackState::Lost ? "lost" : "dim");
-    showValues(track, scene);
-    showComparisons(track);
-    facts_[Looks]->setText(tr("%1 with an echo · %2 missed since").arg(track.looks).arg(track.misses));
-    facts_[Likeness]->setText(Formatter::probability(track.score));
-    facts_[Consistency]->setText(Formatter::number(track.nis, 2));
-    setName(*facts_[Consistency], track.nis > nis_limit ? "refusal" : "fact");
+void TargetCard::showFacts(const Track& track, const Scene& scene, const std::vector<TrackSample>& samples,
+                           const Tracker::Params& params) {
+    const Timestamp now = scene.latest.time;
+    facts_[State]->setText(TrackReasons::ofState(track, now, params.life));
+    setLabelRole(*facts_[State], track.state == TrackState::Lost ? "lost" : "fact");
+    facts_[Competing]->setText(TrackReasons::competing(track, scene, params));
+    const auto within = std::count_if(samples.begin(), samples.end(),
+                                      [](const TrackSample& sample) { return sample.nis <= TrackStrips::nis_limit; });
+    facts_[Consistency]->setText(samples.empty() ? Formatter::number(track.nis, 2)
+                                                 : tr("%1 · %2 of %3 echoes within %4")
+                                                       .arg(Formatter::number(track.nis, 2))
+                                                       .arg(within)
+                                                       .arg(samples.size())
+                                                       .arg(TrackStrips::nis_limit));
+    setLabelRole(*facts_[Consistency], track.nis > TrackStrips::nis_limit ? "refusal" : "fact");
     const std::size_t particles = track.particles.weight.size();
     facts_[Particles]->setText(
         particles > 0
             ? tr("%1 effective of %2").arg(Formatter::number(track.particles.effective, 0), Formatter::count(particles))
             : Formatter::unknown());
-    facts_[Born]->setText(
-        tr("%1 · %2 ago")
-            .arg(Formatter::utc(track.born).mid(11, 8), Formatter::age(secondsBetween(track.born, scene.latest.time))));
+    facts_[Born]->setText(TrackReasons::ofBirth(track, now));
+}
+
+void TargetCard::showTrack(const Track& track, const Scene& scene, const std::vector<TrackSample>& samples,
+                           const Tracker::Params& params) {
+    title_->setText(Formatter::trackId(track.id));
+    subtitle_->setText((track.target ? tr("target · %1") : QString("%1")).arg(stateWord(track.state)));
+    setLabelRole(*subtitle_, track.state == TrackState::Lost ? "lost" : "dim");
+    showValues(track, scene);
+    showComparisons(track, params.likeness);
+    showFacts(track, scene, samples, params);
+    const Timestamp now = scene.latest.time;
+    chart_->setStrips(TrackStrips::of(track, samples), now, chartSpan(TrackStrips::length(track, samples, now)));
 }
 
 }  // namespace echotrail

@@ -1,5 +1,6 @@
 #include "ui/panels/tracks/tracks_panel.hpp"
 
+#include "ui/language/language.hpp"
 #include "ui/panels/tracks/symbol_delegate.hpp"
 #include "ui/panels/tracks/target_card.hpp"
 #include "ui/style/ui_metrics.hpp"
@@ -8,8 +9,10 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStyle>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -25,44 +28,89 @@ TracksPanel::TracksPanel(QWidget* parent) : QWidget(parent) {
     table_->setShowGrid(false);
     table_->setWordWrap(false);
     table_->setFrameShape(QFrame::NoFrame);
-    table_->setAccessibleName(tr("Tracks"));
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    card_ = new TargetCard(this);
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(card_);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    designate_ = new QPushButton(tr("Designate"), this);
-    designate_->setToolTip(tr("Make the selected track the target; a click on the fan does the same"));
-    clear_ = new QPushButton(tr("Clear designation"), this);
-    clear_->setToolTip(tr("No target (Delete); all tracks live on"));
-    for (QPushButton* button : {designate_, clear_}) button->setEnabled(false);
-    auto* buttons = new QHBoxLayout;
-    const UiMetrics metrics(font());
-    buttons->setContentsMargins(metrics.pixels(8.0), metrics.pixels(4.0), metrics.pixels(8.0), 0);
-    buttons->setSpacing(metrics.pixels(4.0));
-    buttons->addWidget(designate_);
-    buttons->addWidget(clear_);
-    buttons->addStretch(1);
+    scroll_ = new QScrollArea(this);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins({});
     column->setSpacing(0);
-    column->addWidget(table_, 2);
-    column->addLayout(buttons);
-    column->addWidget(scroll, 3);
+    column->addWidget(table_, 1);
+    column->addLayout(makeButtons());
+    column->addWidget(scroll_, 6);
     sizeTable();
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
         if (following_selection_ || !row.isValid()) return;
         selected_ = model_.idAt(row.row());
         Q_EMIT trackSelected(selected_);
     });
-    connect(designate_, &QPushButton::clicked, this,
-            [this] { Q_EMIT designateRequested(shown_range_m_, shown_bearing_); });
+    connect(table_, &QTableView::activated, this, &TracksPanel::designateSelected);
+}
+
+QLayout* TracksPanel::makeButtons() {
+    designate_ = new QPushButton(this);
+    clear_ = new QPushButton(this);
+    mute_ = new QPushButton(this);
+    mute_->setCheckable(true);
+    name_ = new QLineEdit(this);
+    name_->setMaxLength(TrackModel::longest_name);
+    inEveryLanguage(this, [this] { nameAll(); });
+    for (QWidget* widget : std::initializer_list<QWidget*>{designate_, clear_, mute_, name_}) widget->setEnabled(false);
+    auto* buttons = new QHBoxLayout;
+    const UiMetrics metrics(font());
+    buttons->setContentsMargins(metrics.pixels(8.0), metrics.pixels(4.0), metrics.pixels(8.0), 0);
+    buttons->setSpacing(metrics.pixels(4.0));
+    for (QPushButton* button : {designate_, clear_, mute_}) buttons->addWidget(button);
+    buttons->addWidget(name_, 1);
+    connect(designate_, &QPushButton::clicked, this, &TracksPanel::designateSelected);
     connect(clear_, &QPushButton::clicked, this, &TracksPanel::clearRequested);
+    connect(mute_, &QPushButton::clicked, this, &TracksPanel::toggleMute);
+    connect(name_, &QLineEdit::editingFinished, this, [this] { model_.setName(shown_, name_->text()); });
+    return buttons;
+}
+
+void TracksPanel::nameAll() {
+    card_ = new TargetCard;  // it keeps nothing: the next scene fills it
+    scroll_->setWidget(card_);
+    table_->setAccessibleName(tr("Tracks"));
+    designate_->setText(tr("Designate"));
+    designate_->setToolTip(tr("Make the selected track the target (Ctrl+Enter); a click on the fan does the same"));
+    clear_->setText(tr("Clear"));
+    clear_->setToolTip(tr("No target (Delete); all tracks live on"));
+    mute_->setText(tr("Mute"));
+    mute_->setToolTip(tr("No alerts about the selected track (Ctrl+M)"));
+    name_->setPlaceholderText(tr("Name"));
+    name_->setAccessibleName(tr("Name of the selected track"));
+    name_->setToolTip(tr("Your name for the selected track (Ctrl+R), taken by Enter; this console's only"));
+}
+
+void TracksPanel::designateSelected() {
+    if (designate_->isEnabled()) Q_EMIT designateRequested(shown_range_m_, shown_bearing_);
+}
+
+void TracksPanel::toggleMute() {
+    if (shown_ == 0) return;
+    model_.setMuted(shown_, !model_.isMuted(shown_));
+    mute_->setChecked(model_.isMuted(shown_));
+    Q_EMIT muteRequested(shown_, model_.isMuted(shown_));
+}
+
+void TracksPanel::editName() {
+    if (!name_->isEnabled()) return;
+    name_->setFocus(Qt::ShortcutFocusReason);
+    name_->selectAll();
+}
+
+void TracksPanel::startAnew() {
+    samples_.clear();
+    model_.forgetTracks();
+    selected_ = 0;
+    card_->showNothing();
+    showButtons({}, nullptr);
 }
 
 void TracksPanel::sizeTable() {
@@ -70,21 +118,22 @@ void TracksPanel::sizeTable() {
     const QFontMetrics text(font());
     table_->verticalHeader()->setDefaultSectionSize(metrics.pixels(24.0));
     table_->verticalHeader()->setMinimumSectionSize(metrics.pixels(20.0));
-    table_->setMinimumHeight(metrics.pixels(24.0 * 4.0));
+    table_->setMinimumHeight(metrics.pixels(24.0 * 5.5));
     QHeaderView& head = *table_->horizontalHeader();
     head.setMinimumSectionSize(metrics.pixels(24.0));
     for (int column = 0; column < TrackModel::ColumnCount; ++column)
         head.setSectionResizeMode(column, QHeaderView::Fixed);
-    const int pad = metrics.pixels(12.0);
+    const int pad = metrics.pixels(7.0);
     head.resizeSection(TrackModel::Symbol, metrics.pixels(28.0));
     head.resizeSection(TrackModel::Id, text.horizontalAdvance("T000") + pad);
-    for (const int column :
-         {TrackModel::Range, TrackModel::BearingFromBow, TrackModel::Speed, TrackModel::Age, TrackModel::Quality}) {
+    for (const int column : {TrackModel::Range, TrackModel::BearingFromBow, TrackModel::Speed, TrackModel::Course,
+                             TrackModel::Age, TrackModel::Quality}) {
         const QString title = model_.headerData(column, Qt::Horizontal).toString();
         head.resizeSection(column, std::max(text.horizontalAdvance(title), text.horizontalAdvance("000.0")) + pad);
     }
     // Room for every figure and for the longest word of a state.
-    int width = text.horizontalAdvance(stateWord(TrackState::Confirmed)) + pad;
+    int width = text.horizontalAdvance(stateWord(TrackState::Confirmed)) + pad +
+                style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, table_);
     for (int column = 0; column < TrackModel::ColumnCount; ++column)
         if (column != TrackModel::State) width += head.sectionSize(column);
     table_->setMinimumWidth(width);
@@ -108,6 +157,7 @@ const Track* TracksPanel::shownTrack(const Scene& scene) const {
 
 void TracksPanel::setScene(const Scene& scene) {
     model_.setScene(scene);
+    samples_.add(scene);
     const Track* track = shownTrack(scene);
     following_selection_ = true;
     const int row = track ? model_.rowOf(track->id) : -1;
@@ -116,12 +166,25 @@ void TracksPanel::setScene(const Scene& scene) {
     else if (table_->currentIndex().row() != row || !table_->selectionModel()->isRowSelected(row))
         table_->selectRow(row);
     following_selection_ = false;
-    designate_->setEnabled(track && !track->target);
-    clear_->setEnabled(std::any_of(scene.tracks.begin(), scene.tracks.end(), [](const Track& t) { return t.target; }));
+    showButtons(scene, track);
     if (!track) return card_->showNothing();
     shown_range_m_ = rangeOf(*track, scene.latest.pose);
     shown_bearing_ = bearingOf(*track, scene.latest.pose);
-    card_->showTrack(*track, scene);
+    card_->showTrack(*track, scene, samples_.of(track->id), params_);
+}
+
+void TracksPanel::showButtons(const Scene& scene, const Track* track) {
+    const int id = track ? track->id : 0;
+    if (id != shown_) {  // what is being typed is of the track it was begun for
+        name_->clearFocus();
+        name_->setText(model_.name(id));
+    }
+    shown_ = id;
+    designate_->setEnabled(track && !track->target);
+    clear_->setEnabled(std::any_of(scene.tracks.begin(), scene.tracks.end(), [](const Track& t) { return t.target; }));
+    mute_->setEnabled(track);
+    mute_->setChecked(model_.isMuted(id));
+    name_->setEnabled(track);
 }
 
 void TracksPanel::selectTrack(int id) { selected_ = id; }

@@ -1,11 +1,15 @@
 #pragma once
 
 #include "core/runtime/scene.hpp"
+#include "core/tracking/tracker.hpp"
 #include "ui/models/track_model.hpp"
+#include "ui/models/track_samples.hpp"
 
 #include <QWidget>
 
+class QLineEdit;
 class QPushButton;
+class QScrollArea;
 class QTableView;
 
 namespace echotrail {
@@ -20,8 +24,16 @@ class TracksPanel : public QWidget {
 public:
     explicit TracksPanel(QWidget* parent = nullptr);
     void setScene(const Scene& scene);
+    /// By which the tracker judges: the card explains with them.
+    void setParams(const Tracker::Params& params) { params_ = params; }
+    /// Another run begins: names and mutes are of the one before.
+    void startAnew();
     /// Opens a track's card; 0: that of the target or, without one, of the surest track.
     void selectTrack(int id);
+    /// The same as the buttons, for the selected track.
+    void designateSelected();
+    void toggleMute();
+    void editName();
 
     const TrackModel& model() const { return model_; }
 
@@ -30,6 +42,8 @@ Q_SIGNALS:
     /// The selected track is to be the target.
     void designateRequested(double range_m, echotrail::Bearing from_bow);
     void clearRequested();
+    /// Whether alerts about this track are wanted.
+    void muteRequested(int id, bool muted);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -37,12 +51,21 @@ protected:
 private:
     const Track* shownTrack(const Scene& scene) const;
     void sizeTable();
+    QLayout* makeButtons();
+    void nameAll();
+    void showButtons(const Scene& scene, const Track* track);
 
     TrackModel model_;
     QTableView* table_ = nullptr;
+    QScrollArea* scroll_ = nullptr;
     TargetCard* card_ = nullptr;
     QPushButton* designate_ = nullptr;
     QPushButton* clear_ = nullptr;
+    QPushButton* mute_ = nullptr;
+    QLineEdit* name_ = nullptr;
+    TrackSamples samples_;
+    Tracker::Params params_;
+    int shown_ = 0;  ///< the track of the card; 0: none
     int selected_ = 0;
     bool following_selection_ = false;  ///< the row is being selected by the program
     double shown_range_m_ = 0.0;

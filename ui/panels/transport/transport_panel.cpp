@@ -95,6 +95,7 @@ QLayout* TransportPanel::makeReadouts() {
     elapsed_ = new QLabel(this);
     elapsed_->setObjectName("dim");
     busy_ = new QLabel(this);
+    busy_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // what it says must not widen the window
     cancel_ = new QPushButton(tr("Cancel"), this);
     cancel_->setToolTip(tr("Stops where the run has got to"));
     connect(cancel_, &QPushButton::clicked, &bridge_, &PipelineBridge::cancelSeek);
@@ -103,16 +104,15 @@ QLayout* TransportPanel::makeReadouts() {
     go_to_ = new QLineEdit(this);
     go_to_->setPlaceholderText(tr("UTC or 0:00:12.5"));
     go_to_->setAccessibleName(tr("Go to a moment"));
-    go_to_->setMinimumWidth(fontMetrics().averageCharWidth() * 28);
-    go_to_->setMaximumWidth(fontMetrics().averageCharWidth() * 34);
+    go_to_->setMinimumWidth(fontMetrics().averageCharWidth() * 20);
+    go_to_->setMaximumWidth(fontMetrics().averageCharWidth() * 26);
     connect(go_to_, &QLineEdit::returnPressed, this, &TransportPanel::goToTyped);
     row->addSpacing(fontMetrics().height() / 2);
     row->addWidget(utc_);
     row->addWidget(elapsed_);
     row->addSpacing(fontMetrics().height() / 2);
-    row->addWidget(busy_);
+    row->addWidget(busy_, 1);
     row->addWidget(cancel_);
-    row->addStretch(1);
     row->addWidget(label);
     row->addWidget(go_to_);
     return row;
@@ -141,7 +141,7 @@ void TransportPanel::showStatus(const ReplayStatus& status) {
     else if (open && status.state == ReplayState::Loading)
         busy_->setText(tr("reading: %1 pings").arg(Formatter::count(status.total)));
     else if (status.state == ReplayState::Ended)
-        busy_->setText(tr("end of the recording; Space plays it again"));
+        busy_->setText(tr("at the end; Space plays it again"));
     else
         busy_->clear();
     cancel_->setVisible(travelling);

@@ -1,0 +1,2173 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>AlertRules</name>
+    <message>
+        <source>emergency</source>
+        <translation>紧急</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>警报</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>caution</source>
+        <translation>注意</translation>
+    </message>
+    <message>
+        <source>last heard %1 ago</source>
+        <translation>%1前最后收到</translation>
+    </message>
+    <message>
+        <source>never heard</source>
+        <translation>从未收到</translation>
+    </message>
+    <message>
+        <source>Link to the tracker lost</source>
+        <translation>与跟踪器的链路中断</translation>
+    </message>
+    <message>
+        <source>Tracker is quiet</source>
+        <translation>跟踪器无数据</translation>
+    </message>
+    <message>
+        <source>Link to the sonar lost</source>
+        <translation>与声纳的链路中断</translation>
+    </message>
+    <message>
+        <source>Sonar is quiet</source>
+        <translation>声纳无数据</translation>
+    </message>
+    <message>
+        <source>The sonar head needs a look</source>
+        <translation>声纳头需要检查</translation>
+    </message>
+    <message>
+        <source>tracks coast until it is back</source>
+        <translation>恢复前航迹外推</translation>
+    </message>
+    <message>
+        <source>Heading old, limit %1</source>
+        <translation>艏向过旧，限值 %1</translation>
+    </message>
+    <message>
+        <source>No heading</source>
+        <translation>无艏向</translation>
+    </message>
+    <message>
+        <source>Recording has ended</source>
+        <translation>记录已停止</translation>
+    </message>
+    <message>
+        <source>make room and connect again</source>
+        <translation>请清理磁盘后重新连接</translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation>剩余 %1</translation>
+    </message>
+    <message>
+        <source>Disk full</source>
+        <translation>磁盘已满</translation>
+    </message>
+    <message>
+        <source>Disk nearly full</source>
+        <translation>磁盘将满</translation>
+    </message>
+    <message>
+        <source>room for %1 min</source>
+        <translation>还可记录 %1 分钟</translation>
+    </message>
+    <message>
+        <source>%1 lost, no echo for %2</source>
+        <translation>%1 丢失，%2 无回波</translation>
+    </message>
+    <message>
+        <source>expected at %1 %2</source>
+        <translation>预计位于 %1 %2</translation>
+    </message>
+    <message>
+        <source>%1 in guard zone %2</source>
+        <translation>%1 进入警戒区 %2</translation>
+    </message>
+    <message>
+        <source>a confirmed track has come in</source>
+        <translation>已确认的航迹进入</translation>
+    </message>
+</context>
+<context>
+    <name>EchoMap</name>
+    <message>
+        <source>bronze</source>
+        <translation>青铜</translation>
+    </message>
+    <message>
+        <source>viridis</source>
+        <translation>viridis</translation>
+    </message>
+    <message>
+        <source>cividis</source>
+        <translation>cividis</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>灰度</translation>
+    </message>
+</context>
+<context>
+    <name>FanView</name>
+    <message>
+        <source> lost %1</source>
+        <translation> 丢失 %1</translation>
+    </message>
+    <message>
+        <source>seen %1 ago</source>
+        <translation>%1前看到</translation>
+    </message>
+</context>
+<context>
+    <name>Theme</name>
+    <message>
+        <source>Day</source>
+        <translation>白天</translation>
+    </message>
+    <message>
+        <source>Night</source>
+        <translation>夜间</translation>
+    </message>
+    <message>
+        <source>Dusk</source>
+        <translation>黄昏</translation>
+    </message>
+</context>
+<context>
+    <name>TrackReasons</name>
+    <message>
+        <source>%1 of %2 echoes, existence %3 of %4</source>
+        <translation>回波 %1/%2，存在概率 %3/%4</translation>
+    </message>
+    <message>
+        <source>%1 echoes; lost after %2 looks without</source>
+        <translation>%1 次回波；连续 %2 次无回波即丢失</translation>
+    </message>
+    <message>
+        <source>%1 of %2 looks without an echo</source>
+        <translation>%1/%2 次观测无回波</translation>
+    </message>
+    <message>
+        <source>lost: %1 looks without an echo, limit %2</source>
+        <translation>丢失：%1 次观测无回波，限值 %2</translation>
+    </message>
+    <message>
+        <source>lost: existence %1 below %2</source>
+        <translation>丢失：存在概率 %1 低于 %2</translation>
+    </message>
+    <message>
+        <source>lost: no echo for %1, limit %2</source>
+        <translation>丢失：%1 无回波，限值 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 ago, from an unclaimed echo</source>
+        <translation>%1，%2前，由无主回波产生</translation>
+    </message>
+    <message>
+        <source>no region within %1</source>
+        <translation>%1 内无区域</translation>
+    </message>
+    <message>
+        <source>R%1 %2 at %3</source>
+        <translation>R%1 %2 距 %3</translation>
+    </message>
+</context>
+<context>
+    <name>TrackStrips</name>
+    <message>
+        <source>Weight</source>
+        <translation>权重</translation>
+    </message>
+    <message>
+        <source>NIS, 95 % 5.99</source>
+        <translation>NIS，95 % 5.99</translation>
+    </message>
+    <message>
+        <source>Missed, 20 %</source>
+        <translation>漏测，20 %</translation>
+    </message>
+    <message>
+        <source>Range m</source>
+        <translation>距离 m</translation>
+    </message>
+    <message>
+        <source>Bearing °R</source>
+        <translation>舷角 °R</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::AlertCentre</name>
+    <message>
+        <source>Alerts cannot be written to %1. They are only shown.</source>
+        <translation>告警无法写入 %1，仅显示。</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::AlertDelegate</name>
+    <message>
+        <source>Ack</source>
+        <translation>确认</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::AlertModel</name>
+    <message>
+        <source>not acknowledged</source>
+        <translation>未确认</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>已结束</translation>
+    </message>
+    <message>
+        <source>lasting</source>
+        <translation>持续中</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::AlertsPanel</name>
+    <message>
+        <source>Alerts</source>
+        <translation>告警</translation>
+    </message>
+    <message>
+        <source>No alerts. Lost targets, broken links, missing headings and a full disk are listed here.</source>
+        <translation>无告警。目标丢失、链路中断、艏向缺失、磁盘已满将在此列出。</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>The alert at the top of the list (A); Enter: the selected one</source>
+        <translation>列表最上面的告警 (A)；Enter：所选告警</translation>
+    </message>
+    <message>
+        <source>No sound for %1 s, unless something new is raised (Shift+A)</source>
+        <translation>%1 s 内无声，除非有新告警 (Shift+A)</translation>
+    </message>
+    <message>
+        <source>Silent for %1 s</source>
+        <translation>静音剩 %1 s</translation>
+    </message>
+    <message>
+        <source>Silence %1 s</source>
+        <translation>静音 %1 s</translation>
+    </message>
+    <message>
+        <source>%1 open · %2 in 10 min</source>
+        <translation>%1 条未结 · 10 分钟内 %2 条</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::ConnectionPanel</name>
+    <message>
+        <source>no link</source>
+        <translation>无链路</translation>
+    </message>
+    <message>
+        <source>waiting for the head</source>
+        <translation>等待声纳头</translation>
+    </message>
+    <message>
+        <source>asking what it is</source>
+        <translation>正在识别</translation>
+    </message>
+    <message>
+        <source>centring</source>
+        <translation>正在归零</translation>
+    </message>
+    <message>
+        <source>sending settings</source>
+        <translation>正在发送设置</translation>
+    </message>
+    <message>
+        <source>scanning</source>
+        <translation>扫描中</translation>
+    </message>
+    <message>
+        <source>head silent</source>
+        <translation>声纳头无响应</translation>
+    </message>
+    <message>
+        <source>wrong device</source>
+        <translation>设备不符</translation>
+    </message>
+    <message>
+        <source>serial:///dev/ttyUSB0?baud=115200, tcp://HOST:PORT or udp://HOST:PORT?listen=PORT; the list has the last ones, this computer&apos;s serial ports and simulated heads</source>
+        <translation>serial:///dev/ttyUSB0?baud=115200、tcp://HOST:PORT 或 udp://HOST:PORT?listen=PORT；列表含最近地址、本机串口与模拟声纳头</translation>
+    </message>
+    <message>
+        <source>Sonar</source>
+        <translation>声纳</translation>
+    </message>
+    <message>
+        <source>Navigation</source>
+        <translation>导航</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Everything is kept, from the first byte, in the folder of recordings</source>
+        <translation>从首字节起全部保存到记录文件夹</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>断开</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>tracker: %1; trying again</source>
+        <translation>跟踪器：%1；正在重试</translation>
+    </message>
+    <message>
+        <source>; trying again</source>
+        <translation>；正在重试</translation>
+    </message>
+    <message>
+        <source>navigation: %1; trying again</source>
+        <translation>导航：%1；正在重试</translation>
+    </message>
+    <message>
+        <source>%1 pings</source>
+        <translation>%1 个 ping</translation>
+    </message>
+    <message>
+        <source>%1 timeouts</source>
+        <translation>%1 次超时</translation>
+    </message>
+    <message>
+        <source>%1 repeats</source>
+        <translation>%1 次重发</translation>
+    </message>
+    <message>
+        <source>%1 resets of the head</source>
+        <translation>声纳头复位 %1 次</translation>
+    </message>
+    <message>
+        <source>%1 rejected</source>
+        <translation>%1 条拒收</translation>
+    </message>
+    <message>
+        <source>%1 skipped</source>
+        <translation>跳过 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::DockTitle</name>
+    <message>
+        <source>Float or dock “%1”</source>
+        <translation>浮动或停靠“%1”</translation>
+    </message>
+    <message>
+        <source>Close “%1”; the Window menu brings it back</source>
+        <translation>关闭“%1”；可从“窗口”菜单恢复</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::FanView</name>
+    <message>
+        <source>Fan</source>
+        <translation>扇面</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::HeadControls</name>
+    <message>
+        <source>Setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>指令</translation>
+    </message>
+    <message>
+        <source>Head says</source>
+        <translation>声纳头</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Sector</source>
+        <translation>扇区</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步进</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>频道</translation>
+    </message>
+    <message>
+        <source>Bits</source>
+        <translation>位数</translation>
+    </message>
+    <message>
+        <source>Sound, m/s</source>
+        <translation>声速 m/s</translation>
+    </message>
+    <message>
+        <source>used here</source>
+        <translation>本机使用</translation>
+    </message>
+    <message>
+        <source>The head does as commanded</source>
+        <translation>声纳头已按指令执行</translation>
+    </message>
+    <message>
+        <source>Sent; the head has not confirmed it</source>
+        <translation>已发送；声纳头未确认</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::LayersPanel</name>
+    <message>
+        <source>Echo</source>
+        <translation>回波</translation>
+    </message>
+    <message>
+        <source>Enhanced picture</source>
+        <translation>增强图像</translation>
+    </message>
+    <message>
+        <source>Regions kept</source>
+        <translation>保留的区域</translation>
+    </message>
+    <message>
+        <source>Regions dropped</source>
+        <translation>舍弃的区域</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>航迹</translation>
+    </message>
+    <message>
+        <source>Ellipses 1σ · 95 %</source>
+        <translation>椭圆 1σ · 95 %</translation>
+    </message>
+    <message>
+        <source>History, prediction</source>
+        <translation>历史、预测</translation>
+    </message>
+    <message>
+        <source>Region of interest</source>
+        <translation>关注区</translation>
+    </message>
+    <message>
+        <source>Rings and bearings</source>
+        <translation>距离圈与方位</translation>
+    </message>
+    <message>
+        <source>Target ×4</source>
+        <translation>目标 ×4</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>朝向</translation>
+    </message>
+    <message>
+        <source>Head up</source>
+        <translation>艏向上</translation>
+    </message>
+    <message>
+        <source>North up</source>
+        <translation>北向上</translation>
+    </message>
+    <message>
+        <source>North up needs a heading</source>
+        <translation>北向上需要艏向</translation>
+    </message>
+    <message>
+        <source>Echo levels</source>
+        <translation>回波电平</translation>
+    </message>
+    <message>
+        <source>Colour map</source>
+        <translation>色图</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>配色</translation>
+    </message>
+    <message>
+        <source>Black at</source>
+        <translation>黑电平</translation>
+    </message>
+    <message>
+        <source>White at</source>
+        <translation>白电平</translation>
+    </message>
+    <message>
+        <source>Fade by age</source>
+        <translation>按龄淡化</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::MainWindow</name>
+    <message>
+        <source>Echotrail</source>
+        <translation>Echotrail</translation>
+    </message>
+    <message>
+        <source>Designated the echo at %1 %2; Delete takes it back.</source>
+        <translation>已指定 %1 %2 处的回波；按 Delete 取消。</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>No source open</source>
+        <translation>未打开数据源</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>正在打开 %1…</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: %2. Choose another file with Ctrl+O, or start the demonstration with Ctrl+D.</source>
+        <translation>未能打开 %1：%2。按 Ctrl+O 选择其他文件，或按 Ctrl+D 启动演示。</translation>
+    </message>
+    <message>
+        <source> — Echotrail</source>
+        <translation> — Echotrail</translation>
+    </message>
+    <message>
+        <source>Following %1</source>
+        <translation>正在跟随 %1</translation>
+    </message>
+    <message>
+        <source>Polling %1</source>
+        <translation>正在轮询 %1</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>已打开 %1</translation>
+    </message>
+    <message>
+        <source>notes on it under FILE</source>
+        <translation>备注见“文件”</translation>
+    </message>
+    <message>
+        <source>Parameters and seed are those of the recorded run; what you set counts from then on instead.</source>
+        <translation>参数与种子取自所记录的运行；您的设置自更改时起生效。</translation>
+    </message>
+    <message>
+        <source>%1. Open the recording again with Ctrl+O.</source>
+        <translation>%1。请按 Ctrl+O 重新打开记录。</translation>
+    </message>
+    <message>
+        <source>&amp;Alerts</source>
+        <translation>告警(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Acknowledge</source>
+        <translation>确认(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Acknowledges the alert at the top of the list</source>
+        <translation>确认列表最上面的告警</translation>
+    </message>
+    <message>
+        <source>&amp;Silence for 30 s</source>
+        <translation>静音 30 s(&amp;S)</translation>
+    </message>
+    <message>
+        <source>No sound for 30 s, unless something new is raised</source>
+        <translation>30 s 内无声，除非有新告警</translation>
+    </message>
+    <message>
+        <source>&amp;No flashing</source>
+        <translation>不闪烁(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Alerts that ask for you are shown filled instead of flashing</source>
+        <translation>待确认的告警以实心显示而不闪烁</translation>
+    </message>
+    <message>
+        <source>&amp;List</source>
+        <translation>列表(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Brings the list of alerts to the front</source>
+        <translation>将告警列表置前</translation>
+    </message>
+    <message>
+        <source>Sonar</source>
+        <translation>声纳</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>航迹</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Alerts</source>
+        <translation>告警</translation>
+    </message>
+    <message>
+        <source>Time line</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Space play   ← → 5 s   Shift one sweep   Ctrl one ping   , . speed   ? shortcuts</source>
+        <translation>Space 播放   ← → 5 s   Shift 一次扫描   Ctrl 一个 ping   , . 速度   ? 快捷键</translation>
+    </message>
+    <message>
+        <source>Not connected: %1.</source>
+        <translation>未连接：%1。</translation>
+    </message>
+    <message>
+        <source>&amp;Sonar</source>
+        <translation>声纳(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Connect…</source>
+        <translation>连接(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Connect to a &amp;simulated head</source>
+        <translation>连接模拟声纳头(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Set the &amp;sector on the fan</source>
+        <translation>在扇面上设置扇区(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>断开(&amp;D)</translation>
+    </message>
+    <message>
+        <source>sector</source>
+        <translation>扇区</translation>
+    </message>
+    <message>
+        <source>Recording has ended: %1. Make room and connect again.</source>
+        <translation>记录已停止：%1。请清理磁盘后重新连接。</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Open recording…</source>
+        <translation>打开记录(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open the &amp;last one again</source>
+        <translation>重新打开上一个(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Demonstration</source>
+        <translation>演示(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Close recording</source>
+        <translation>关闭记录(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Picture of the &amp;window</source>
+        <translation>窗口截图(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Picture of the &amp;fan</source>
+        <translation>扇面截图(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Day, dusk, &amp;night</source>
+        <translation>白天、黄昏、夜间(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>语言(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Layers</source>
+        <translation>图层(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Head up</source>
+        <translation>艏向上(&amp;H)</translation>
+    </message>
+    <message>
+        <source>North &amp;up</source>
+        <translation>北向上(&amp;U)</translation>
+    </message>
+    <message>
+        <source>F&amp;ollow the vehicle</source>
+        <translation>跟随载体(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>测距(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Fit the &amp;picture</source>
+        <translation>适配画面(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>全屏(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Echoes</source>
+        <translation>回波</translation>
+    </message>
+    <message>
+        <source>Enhanced picture</source>
+        <translation>增强图像</translation>
+    </message>
+    <message>
+        <source>Regions kept</source>
+        <translation>保留的区域</translation>
+    </message>
+    <message>
+        <source>Regions dropped</source>
+        <translation>舍弃的区域</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>Ellipses</source>
+        <translation>椭圆</translation>
+    </message>
+    <message>
+        <source>History, prediction</source>
+        <translation>历史、预测</translation>
+    </message>
+    <message>
+        <source>Region of interest</source>
+        <translation>关注区</translation>
+    </message>
+    <message>
+        <source>Rings and bearings</source>
+        <translation>距离圈与方位</translation>
+    </message>
+    <message>
+        <source>Target ×4</source>
+        <translation>目标 ×4</translation>
+    </message>
+    <message>
+        <source>&amp;Track</source>
+        <translation>航迹(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Designate the selected one</source>
+        <translation>指定所选航迹(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Makes the track that is selected in the list the target</source>
+        <translation>将列表中所选航迹设为目标</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the designation</source>
+        <translation>取消指定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>No target; all tracks live on</source>
+        <translation>无目标；所有航迹继续</translation>
+    </message>
+    <message>
+        <source>&amp;Name the selected one</source>
+        <translation>命名所选航迹(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Your own name for it, on this console</source>
+        <translation>您在本控制台上的命名</translation>
+    </message>
+    <message>
+        <source>&amp;Mute the selected one</source>
+        <translation>静默所选航迹(&amp;M)</translation>
+    </message>
+    <message>
+        <source>No alerts about it; the same again wants them back</source>
+        <translation>不再就其告警；再次执行则恢复</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>记录(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>播放或暂停(&amp;P)</translation>
+    </message>
+    <message>
+        <source>5 s &amp;back</source>
+        <translation>后退 5 s(&amp;B)</translation>
+    </message>
+    <message>
+        <source>5 s &amp;on</source>
+        <translation>前进 5 s(&amp;O)</translation>
+    </message>
+    <message>
+        <source>One sweep back</source>
+        <translation>后退一次扫描</translation>
+    </message>
+    <message>
+        <source>One sweep on</source>
+        <translation>前进一次扫描</translation>
+    </message>
+    <message>
+        <source>One ping back</source>
+        <translation>后退一个 ping</translation>
+    </message>
+    <message>
+        <source>One ping on</source>
+        <translation>前进一个 ping</translation>
+    </message>
+    <message>
+        <source>To the &amp;start</source>
+        <translation>到开头(&amp;S)</translation>
+    </message>
+    <message>
+        <source>To the &amp;end</source>
+        <translation>到结尾(&amp;E)</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>减速(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>加速(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Parameters</source>
+        <translation>参数(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>查找(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Star the selected &amp;one</source>
+        <translation>收藏所选参数(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Makes it a favourite, or no longer</source>
+        <translation>加入或移出收藏</translation>
+    </message>
+    <message>
+        <source>&amp;Load set…</source>
+        <translation>载入参数集(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save set…</source>
+        <translation>保存参数集(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Selected one to its &amp;default, or as compared</source>
+        <translation>所选参数恢复默认值或取对比值(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;All to their defaults, or as compared</source>
+        <translation>全部恢复默认值或取对比值(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>窗口(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>重置布局(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>键盘快捷键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About</source>
+        <translation>关于(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>Recordings (*.echotrail *.V4LOG *.v4log *.bin);;All files (*)</source>
+        <translation>记录 (*.echotrail *.V4LOG *.v4log *.bin);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>No recording was opened before, or they are gone. Choose one with Ctrl+O.</source>
+        <translation>之前未打开过记录，或文件已不存在。请按 Ctrl+O 选择。</translation>
+    </message>
+    <message>
+        <source>The picture could not be written to %1. Free some space or choose another folder.</source>
+        <translation>截图无法写入 %1。请清理磁盘或选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Picture written to %1.</source>
+        <translation>截图已写入 %1。</translation>
+    </message>
+    <message>
+        <source>Echotrail %1: operator console and tracker for a mechanically scanned sonar. GPL-3.0-or-later.</source>
+        <translation>Echotrail %1：机械扫描声纳的操作控制台与跟踪器。GPL-3.0-or-later。</translation>
+    </message>
+    <message>
+        <source>Connect to &amp;tracker…</source>
+        <translation>连接跟踪器(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Ask for control</source>
+        <translation>请求控制权(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Give control</source>
+        <translation>移交控制权(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep control</source>
+        <translation>保留控制权(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke control</source>
+        <translation>接管控制权(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Connect to a tracker</source>
+        <translation>连接跟踪器</translation>
+    </message>
+    <message>
+        <source>Address, tcp://HOST:PORT</source>
+        <translation>地址，tcp://HOST:PORT</translation>
+    </message>
+    <message>
+        <source>NO LINK TO THE TRACKER</source>
+        <translation>与跟踪器无链路</translation>
+    </message>
+    <message>
+        <source>STALE: nothing came for %1</source>
+        <translation>数据陈旧：%1 未收到数据</translation>
+    </message>
+    <message>
+        <source>LINK LOST: the picture is %1 old</source>
+        <translation>链路中断：画面已过 %1</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::MessageStrip</name>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::ParameterDelegate</name>
+    <message numerus="yes">
+        <source>%n changed</source>
+        <translation>
+            <numerusform>%n 项已改</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::ParameterForm</name>
+    <message>
+        <source>Parameter sets (*.toml)</source>
+        <translation>参数集 (*.toml)</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Find  Ctrl+F</source>
+        <translation>查找  Ctrl+F</translation>
+    </message>
+    <message>
+        <source>Find a parameter</source>
+        <translation>查找参数</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>已改</translation>
+    </message>
+    <message>
+        <source>Only what differs from the default, or from the preset that is compared with</source>
+        <translation>仅显示与默认值或对比预设不同的参数</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>收藏</translation>
+    </message>
+    <message>
+        <source>Only what is starred; a click on the star, or Ctrl+B, stars a parameter</source>
+        <translation>仅显示已收藏的；点击星号或按 Ctrl+B 收藏参数</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认</translation>
+    </message>
+    <message>
+        <source>All defaults</source>
+        <translation>全部默认</translation>
+    </message>
+    <message>
+        <source>Select a parameter to read what it does. Enter takes a value, Esc leaves it as it was.</source>
+        <translation>选择参数查看其作用。Enter 采用数值，Esc 保持原值。</translation>
+    </message>
+    <message>
+        <source>ping</source>
+        <translation>ping</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>Default %1 %2. Takes effect at the next %3.</source>
+        <translation>默认 %1 %2。于下一个%3生效。</translation>
+    </message>
+    <message>
+        <source>Refused: %1.</source>
+        <translation>拒绝：%1。</translation>
+    </message>
+    <message>
+        <source>Undo: %1 (Ctrl+Z)</source>
+        <translation>撤销：%1 (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Nothing to undo</source>
+        <translation>无可撤销</translation>
+    </message>
+    <message>
+        <source>Redo: %1 (Ctrl+Shift+Z)</source>
+        <translation>重做：%1 (Ctrl+Shift+Z)</translation>
+    </message>
+    <message>
+        <source>Nothing to redo</source>
+        <translation>无可重做</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>Sets the selected parameter as in %1</source>
+        <translation>将所选参数设为 %1 中的值</translation>
+    </message>
+    <message>
+        <source>Sets the selected parameter back to its default</source>
+        <translation>将所选参数恢复默认值</translation>
+    </message>
+    <message>
+        <source>Take all</source>
+        <translation>全部采用</translation>
+    </message>
+    <message>
+        <source>Load a parameter set</source>
+        <translation>载入参数集</translation>
+    </message>
+    <message>
+        <source>Nothing was loaded. %1. Correct the file and load it again.</source>
+        <translation>未载入。%1。请改正文件后重新载入。</translation>
+    </message>
+    <message>
+        <source>load of %1</source>
+        <translation>载入 %1</translation>
+    </message>
+    <message>
+        <source>Parameters loaded from %1; Ctrl+Z takes them back.</source>
+        <translation>已从 %1 载入参数；按 Ctrl+Z 撤回。</translation>
+    </message>
+    <message>
+        <source>Save the parameter set</source>
+        <translation>保存参数集</translation>
+    </message>
+    <message>
+        <source>Parameters saved to %1.</source>
+        <translation>参数已保存到 %1。</translation>
+    </message>
+    <message>
+        <source>%1. Choose another place.</source>
+        <translation>%1。请选择其他位置。</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with</source>
+        <translation>对比(&amp;C)</translation>
+    </message>
+    <message>
+        <source>the defaults</source>
+        <translation>默认值</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as preset…</source>
+        <translation>存为预设(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>&amp;Load from a file…</source>
+        <translation>从文件载入(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save to a file…</source>
+        <translation>保存到文件(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Keep as preset</source>
+        <translation>存为预设</translation>
+    </message>
+    <message>
+        <source>Name; one of yours is replaced</source>
+        <translation>名称；同名的自有预设将被替换</translation>
+    </message>
+    <message>
+        <source>All parameters are kept as preset “%1”.</source>
+        <translation>全部参数已存为预设“%1”。</translation>
+    </message>
+    <message>
+        <source>Not kept: %1.</source>
+        <translation>未保存：%1。</translation>
+    </message>
+    <message>
+        <source>Preset “%1” was not taken. %2.</source>
+        <translation>未采用预设“%1”。%2。</translation>
+    </message>
+    <message>
+        <source>preset %1</source>
+        <translation>预设 %1</translation>
+    </message>
+    <message>
+        <source>Preset “%1” is set; Ctrl+Z takes it back.</source>
+        <translation>已采用预设“%1”；按 Ctrl+Z 撤回。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be compared with. %2.</source>
+        <translation>无法与“%1”对比。%2。</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::ParameterModel</name>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>%1 was not taken by the tracker</source>
+        <translation>跟踪器未采用 %1</translation>
+    </message>
+    <message>
+        <source>%1 to its default</source>
+        <translation>%1 恢复默认</translation>
+    </message>
+    <message>
+        <source>%1 as in %2</source>
+        <translation>%1 取自 %2</translation>
+    </message>
+    <message>
+        <source>all to their defaults</source>
+        <translation>全部恢复默认</translation>
+    </message>
+    <message>
+        <source>all as in %1</source>
+        <translation>全部取自 %1</translation>
+    </message>
+    <message>
+        <source>Default %1 %2. Takes effect at the next %3.</source>
+        <translation>默认 %1 %2。于下一个%3生效。</translation>
+    </message>
+    <message>
+        <source>ping</source>
+        <translation>ping</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>favourite</source>
+        <translation>已收藏</translation>
+    </message>
+    <message>
+        <source>no favourite</source>
+        <translation>未收藏</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>已发送</translation>
+    </message>
+    <message>
+        <source>in force</source>
+        <translation>已生效</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>已改</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 改为 %2</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::ParameterPanel</name>
+    <message>
+        <source>%1 unlike %2</source>
+        <translation>%1 项与 %2 不同</translation>
+    </message>
+    <message>
+        <source>all at their defaults</source>
+        <translation>全部为默认值</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n changed</source>
+        <translation>
+            <numerusform>%n 项已改</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::PipelineBridge</name>
+    <message>
+        <source>demonstration</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>this program has no live links</source>
+        <translation>本程序不含实时链路</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::ShortcutsOverlay</name>
+    <message>
+        <source>play or pause</source>
+        <translation>播放或暂停</translation>
+    </message>
+    <message>
+        <source>5 s back or on</source>
+        <translation>后退或前进 5 s</translation>
+    </message>
+    <message>
+        <source>one sweep back or on</source>
+        <translation>后退或前进一次扫描</translation>
+    </message>
+    <message>
+        <source>one ping back or on</source>
+        <translation>后退或前进一个 ping</translation>
+    </message>
+    <message>
+        <source>start, end of the recording</source>
+        <translation>记录的开头、结尾</translation>
+    </message>
+    <message>
+        <source>slower, faster</source>
+        <translation>减速、加速</translation>
+    </message>
+    <message>
+        <source>on an echo or a track: designate it</source>
+        <translation>点击回波或航迹：指定为目标</translation>
+    </message>
+    <message>
+        <source>designate the selected track</source>
+        <translation>指定所选航迹为目标</translation>
+    </message>
+    <message>
+        <source>name the selected track</source>
+        <translation>命名所选航迹</translation>
+    </message>
+    <message>
+        <source>mute the selected track: no alerts about it</source>
+        <translation>静默所选航迹：不再就其告警</translation>
+    </message>
+    <message>
+        <source>clear the designation</source>
+        <translation>取消指定</translation>
+    </message>
+    <message>
+        <source>on a track: read its card</source>
+        <translation>点击航迹：查看其卡片</translation>
+    </message>
+    <message>
+        <source>acknowledge the alert on top</source>
+        <translation>确认最上面的告警</translation>
+    </message>
+    <message>
+        <source>silence alerts for 30 s</source>
+        <translation>告警静音 30 s</translation>
+    </message>
+    <message>
+        <source>zoom the fan; 0 fits it again</source>
+        <translation>缩放扇面；0 恢复适配</translation>
+    </message>
+    <message>
+        <source>follow the vehicle</source>
+        <translation>跟随载体</translation>
+    </message>
+    <message>
+        <source>measure between two places</source>
+        <translation>两点测距</translation>
+    </message>
+    <message>
+        <source>day, dusk, night</source>
+        <translation>白天、黄昏、夜间</translation>
+    </message>
+    <message>
+        <source>full screen</source>
+        <translation>全屏</translation>
+    </message>
+    <message>
+        <source>picture of the window</source>
+        <translation>窗口截图</translation>
+    </message>
+    <message>
+        <source>picture of the fan only</source>
+        <translation>仅扇面截图</translation>
+    </message>
+    <message>
+        <source>open a recording</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>open the last recording again</source>
+        <translation>重新打开上次的记录</translation>
+    </message>
+    <message>
+        <source>connect to a sonar head</source>
+        <translation>连接声纳头</translation>
+    </message>
+    <message>
+        <source>set the head&apos;s sector: ← → Shift Tab Enter</source>
+        <translation>设置声纳头扇区：← → Shift Tab Enter</translation>
+    </message>
+    <message>
+        <source>demonstration</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>find a parameter</source>
+        <translation>查找参数</translation>
+    </message>
+    <message>
+        <source>star the selected parameter</source>
+        <translation>收藏所选参数</translation>
+    </message>
+    <message>
+        <source>undo a parameter; with Shift: redo</source>
+        <translation>撤销参数更改；加 Shift：重做</translation>
+    </message>
+    <message>
+        <source>leave an edit or this sheet</source>
+        <translation>退出编辑或关闭本页</translation>
+    </message>
+    <message>
+        <source>this sheet</source>
+        <translation>本页</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>键盘快捷键</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::StartPage</name>
+    <message>
+        <source>What do you want to look at?</source>
+        <translation>您想查看什么？</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>A simulated approach at 50 m range, with the tracker running. Nothing is connected or sent.</source>
+        <translation>50 m 量程的模拟接近，跟踪器运行中。不连接也不发送。</translation>
+    </message>
+    <message>
+        <source>works offline</source>
+        <translation>可离线</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Connect to a sonar head</source>
+        <translation>连接声纳头</translation>
+    </message>
+    <message>
+        <source>A SeaKing on a serial port, or by TCP or UDP. It scans as soon as it answers; all of it is recorded.</source>
+        <translation>串口、TCP 或 UDP 上的 SeaKing。应答后即扫描，全部记录。</translation>
+    </message>
+    <message>
+        <source>serial, TCP, UDP</source>
+        <translation>串口、TCP、UDP</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>An .echotrail log, a Seanet Pro .V4LOG or a raw .bin. Read only; or drop the file on this window.</source>
+        <translation>.echotrail 日志、Seanet Pro .V4LOG 或原始 .bin。只读；也可将文件拖到本窗口。</translation>
+    </message>
+    <message>
+        <source>UTC as recorded</source>
+        <translation>UTC 以记录为准</translation>
+    </message>
+    <message>
+        <source>Open the last one again</source>
+        <translation>重新打开上一个</translation>
+    </message>
+    <message>
+        <source>The recording this console showed most recently.</source>
+        <translation>本控制台最近显示的记录。</translation>
+    </message>
+    <message>
+        <source>No recent recordings</source>
+        <translation>无最近记录</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::StatusBar</name>
+    <message>
+        <source>FILE</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>POSITION</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>SPEED</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>TRACKER</source>
+        <translation>跟踪器</translation>
+    </message>
+    <message>
+        <source>CONTROL</source>
+        <translation>控制权</translation>
+    </message>
+    <message>
+        <source>LINK</source>
+        <translation>链路</translation>
+    </message>
+    <message>
+        <source>SONAR</source>
+        <translation>声纳</translation>
+    </message>
+    <message>
+        <source>HDG</source>
+        <translation>艏向</translation>
+    </message>
+    <message>
+        <source>REC</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>PINGS</source>
+        <translation>PING</translation>
+    </message>
+    <message>
+        <source>TRACK</source>
+        <translation>航迹</translation>
+    </message>
+    <message>
+        <source>ALERTS</source>
+        <translation>告警</translation>
+    </message>
+    <message>
+        <source>UTC</source>
+        <translation>UTC</translation>
+    </message>
+    <message>
+        <source>Day, dusk or night (F5)</source>
+        <translation>白天、黄昏或夜间 (F5)</translation>
+    </message>
+    <message>
+        <source>read only</source>
+        <translation>只读</translation>
+    </message>
+    <message>
+        <source>%1 · read only</source>
+        <translation>%1 · 只读</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>读取中</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <translation>播放中</translation>
+    </message>
+    <message>
+        <source>at the end</source>
+        <translation>已到结尾</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>ping %1</source>
+        <translation>ping %1</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>共 %1</translation>
+    </message>
+    <message>
+        <source>lost records: %1</source>
+        <translation>丢失的记录：%1</translation>
+    </message>
+    <message>
+        <source>bytes outside any frame: %1</source>
+        <translation>帧外字节：%1</translation>
+    </message>
+    <message>
+        <source>Everything that came could be read</source>
+        <translation>收到的数据均可读</translation>
+    </message>
+    <message>
+        <source>Every record of the file was read</source>
+        <translation>文件的每条记录均已读取</translation>
+    </message>
+    <message>
+        <source>%1 rejected</source>
+        <translation>%1 条拒收</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 条丢失</translation>
+    </message>
+    <message>
+        <source> · seen %1 ago</source>
+        <translation> · %1前看到</translation>
+    </message>
+    <message>
+        <source>confirmed, none designated</source>
+        <translation>条已确认，未指定</translation>
+    </message>
+    <message>
+        <source>none confirmed</source>
+        <translation>无已确认</translation>
+    </message>
+    <message>
+        <source>1 alarm</source>
+        <translation>1 条警报</translation>
+    </message>
+    <message>
+        <source>%1 alarms</source>
+        <translation>%1 条警报</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 条警告</translation>
+    </message>
+    <message>
+        <source>%1 warnings</source>
+        <translation>%1 条警告</translation>
+    </message>
+    <message>
+        <source>1 caution</source>
+        <translation>1 条注意</translation>
+    </message>
+    <message>
+        <source>%1 cautions</source>
+        <translation>%1 条注意</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1 (A acknowledges)</source>
+        <translation>%1（按 A 确认）</translation>
+    </message>
+    <message>
+        <source>Shows the list of alerts</source>
+        <translation>显示告警列表</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>中断</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>quiet</source>
+        <translation>无数据</translation>
+    </message>
+    <message>
+        <source>Age of the last bytes from the head</source>
+        <translation>声纳头最后数据的龄</translation>
+    </message>
+    <message>
+        <source>pings/s</source>
+        <translation>ping/s</translation>
+    </message>
+    <message>
+        <source>Age of the tracker&apos;s last message, and how old an echo is when it is here</source>
+        <translation>跟踪器最后消息的龄，以及回波到达时的龄</translation>
+    </message>
+    <message>
+        <source>; trying again</source>
+        <translation>；正在重试</translation>
+    </message>
+    <message>
+        <source>there and back: %1</source>
+        <translation>往返：%1</translation>
+    </message>
+    <message>
+        <source>messages that did not come: %1</source>
+        <translation>未到达的消息：%1</translation>
+    </message>
+    <message>
+        <source>yours</source>
+        <translation>本台</translation>
+    </message>
+    <message>
+        <source>nobody&apos;s</source>
+        <translation>无人</translation>
+    </message>
+    <message>
+        <source>watching</source>
+        <translation>旁观</translation>
+    </message>
+    <message>
+        <source>asked for by %1</source>
+        <translation>%1 请求控制权</translation>
+    </message>
+    <message>
+        <source>Who commands the tracker; ask for it, give it or keep it in the menu Sonar</source>
+        <translation>谁在控制跟踪器；在“声纳”菜单中请求、移交或保留</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>等待中</translation>
+    </message>
+    <message>
+        <source>no navigation</source>
+        <translation>无导航</translation>
+    </message>
+    <message>
+        <source>stale %1</source>
+        <translation>过旧 %1</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>not recording</source>
+        <translation>未记录</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation>剩余 %1</translation>
+    </message>
+    <message>
+        <source>disk nearly full: %1</source>
+        <translation>磁盘将满：%1</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::StripChart</name>
+    <message>
+        <source>Course of the track&apos;s values</source>
+        <translation>航迹各值的变化</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>现在</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::TargetCard</name>
+    <message>
+        <source>Range</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Bearing</source>
+        <translation>方位</translation>
+    </message>
+    <message>
+        <source>Age of last echo</source>
+        <translation>最后回波的龄</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>航向</translation>
+    </message>
+    <message>
+        <source>Existence</source>
+        <translation>存在概率</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>Moment m*</source>
+        <translation>矩 m*</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>电平</translation>
+    </message>
+    <message>
+        <source>Why this echo</source>
+        <translation>为何是此回波</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>所见</translation>
+    </message>
+    <message>
+        <source>log likelihood</source>
+        <translation>对数似然</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Near it</source>
+        <translation>附近</translation>
+    </message>
+    <message>
+        <source>NIS</source>
+        <translation>NIS</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>Born</source>
+        <translation>产生</translation>
+    </message>
+    <message>
+        <source>Regions of the last sweep in its gate: likeness to the reference, and distance</source>
+        <translation>上次扫描中其门限内的区域：与参考的相似度及距离</translation>
+    </message>
+    <message>
+        <source>Normalised innovation squared: a track that knows how sure it is has 95 % of its looks below %1</source>
+        <translation>归一化新息平方：一致的航迹有 95 % 的观测低于 %1</translation>
+    </message>
+    <message>
+        <source>No track selected</source>
+        <translation>未选择航迹</translation>
+    </message>
+    <message>
+        <source>click a row to read its card</source>
+        <translation>点击一行查看其卡片</translation>
+    </message>
+    <message>
+        <source>one look</source>
+        <translation>仅一次观测</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation>偏差 %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2 of %3 echoes within %4</source>
+        <translation>%1 · %3 次回波中 %2 次在 %4 内</translation>
+    </message>
+    <message>
+        <source>%1 effective of %2</source>
+        <translation>有效 %1 / %2</translation>
+    </message>
+    <message>
+        <source>target · %1</source>
+        <translation>目标 · %1</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::TimelineView</name>
+    <message>
+        <source>Time line</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Click or drag to go to a moment of the recording</source>
+        <translation>点击或拖动以跳到记录的某一时刻</translation>
+    </message>
+    <message>
+        <source>Tracked</source>
+        <translation>跟踪</translation>
+    </message>
+    <message>
+        <source>not worked out yet: pause and it will be</source>
+        <translation>尚未计算：暂停后即计算</translation>
+    </message>
+    <message>
+        <source>Sweeps</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>no recording open</source>
+        <translation>未打开记录</translation>
+    </message>
+    <message>
+        <source>ping %1</source>
+        <translation>ping %1</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::TrackModel</name>
+    <message>
+        <source>confirmed</source>
+        <translation>已确认</translation>
+    </message>
+    <message>
+        <source>coasting</source>
+        <translation>外推</translation>
+    </message>
+    <message>
+        <source>tentative</source>
+        <translation>暂定</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>丢失</translation>
+    </message>
+    <message>
+        <source>muted</source>
+        <translation>已静默</translation>
+    </message>
+    <message>
+        <source>, target</source>
+        <translation>，目标</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Range m</source>
+        <translation>距离 m</translation>
+    </message>
+    <message>
+        <source>Brg °R</source>
+        <translation>舷角 °R</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>Crs °T</source>
+        <translation>航向 °T</translation>
+    </message>
+    <message>
+        <source>Crs °R</source>
+        <translation>航向 °R</translation>
+    </message>
+    <message>
+        <source>Age s</source>
+        <translation>龄 s</translation>
+    </message>
+    <message>
+        <source>Qual.</source>
+        <translation>质量</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::TracksPanel</name>
+    <message>
+        <source>Tracks</source>
+        <translation>航迹</translation>
+    </message>
+    <message>
+        <source>Designate</source>
+        <translation>指定</translation>
+    </message>
+    <message>
+        <source>Make the selected track the target (Ctrl+Enter); a click on the fan does the same</source>
+        <translation>将所选航迹设为目标 (Ctrl+Enter)；点击扇面亦可</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>No target (Delete); all tracks live on</source>
+        <translation>无目标 (Delete)；所有航迹继续</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation>静默</translation>
+    </message>
+    <message>
+        <source>No alerts about the selected track (Ctrl+M)</source>
+        <translation>不再就所选航迹告警 (Ctrl+M)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Name of the selected track</source>
+        <translation>所选航迹的名称</translation>
+    </message>
+    <message>
+        <source>Your name for the selected track (Ctrl+R), taken by Enter; this console&apos;s only</source>
+        <translation>您对所选航迹的命名 (Ctrl+R)，按 Enter 生效；仅限本控制台</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::TransportPanel</name>
+    <message>
+        <source>max</source>
+        <translation>最快</translation>
+    </message>
+    <message>
+        <source>To the start</source>
+        <translation>到开头</translation>
+    </message>
+    <message>
+        <source>One ping back</source>
+        <translation>后退一个 ping</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>播放或暂停</translation>
+    </message>
+    <message>
+        <source>One ping on</source>
+        <translation>前进一个 ping</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>到结尾</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Seconds of the recording per second (, slower  . faster)</source>
+        <translation>每秒播放的记录秒数（, 减速  . 加速）</translation>
+    </message>
+    <message>
+        <source>Loop from here</source>
+        <translation>从此处循环</translation>
+    </message>
+    <message>
+        <source>Sets A, then B, then ends the loop</source>
+        <translation>先设 A，再设 B，再结束循环</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stops where the run has got to</source>
+        <translation>停在当前进度</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>跳到</translation>
+    </message>
+    <message>
+        <source>UTC or 0:00:12.5</source>
+        <translation>UTC 或 0:00:12.5</translation>
+    </message>
+    <message>
+        <source>Go to a moment</source>
+        <translation>跳到某一时刻</translation>
+    </message>
+    <message>
+        <source>re-running: ping %1 of %2</source>
+        <translation>重新运行：第 %1 / %2 个 ping</translation>
+    </message>
+    <message>
+        <source>working out the time line</source>
+        <translation>正在计算时间轴</translation>
+    </message>
+    <message>
+        <source>reading: %1 pings</source>
+        <translation>读取中：%1 个 ping</translation>
+    </message>
+    <message>
+        <source>at the end; Space plays it again</source>
+        <translation>已到结尾；Space 重新播放</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not in this recording. Type seconds from its start, as 0:00:12.5, or a UTC time from %2 to %3.</source>
+        <translation>“%1”不在本记录内。请输入距开头的秒数，如 0:00:12.5，或 %2 至 %3 的 UTC 时间。</translation>
+    </message>
+    <message>
+        <source>Loop until here</source>
+        <translation>循环到此处</translation>
+    </message>
+    <message>
+        <source>End loop</source>
+        <translation>结束循环</translation>
+    </message>
+</context>
+</TS>

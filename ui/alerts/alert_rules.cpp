@@ -1,0 +1,120 @@
+#include "ui/alerts/alert_rules.hpp"
+
+#include "ui/style/formatter.hpp"
+#include "ui/views/track_painter.hpp"
+
+namespace echotrail {
+namespace {
+
+QString text(const std::string& plain) { return QString::fromStdString(plain); }
+
+}  // namespace
+
+QString priorityWord(AlertPriority priority) {
+    switch (priority) {
+        case AlertPriority::Emergency:
+            return AlertRules::tr("emergency");
+        case AlertPriority::Alarm:
+            return AlertRules::tr("alarm");
+        case AlertPriority::Warning:
+            return AlertRules::tr("warning");
+        case AlertPriority::Caution:
+            break;
+    }
+    return AlertRules::tr("caution");
+}
+
+std::optional<double> minutesLeft(const LiveStatus& run) {
+    if (!run.first_ping || !run.last_ping) return std::nullopt;
+    const double lasted_s = secondsBetween(*run.first_ping, *run.last_ping);
+    if (lasted_s < AlertRules::least_rate_time_s || run.recorder.bytes == 0) return std::nullopt;
+    return static_cast<double>(run.recorder.free_bytes) / static_cast<double>(run.recorder.bytes) * lasted_s / 60.0;
+}
+
+std::vector<Situation> AlertRules::ofLive(const LiveState& state, double longest_heading_gap_s) {
+    std::vector<Situation> situations;
+    addLinks(state, situations);
+    const bool reached = !state.tracker || state.tracker->link.up;
+    if (!reached) return situations;  // what a far tracker said last says nothing about now
+    addHeading(state, longest_heading_gap_s, situations);
+    addRecording(state.run, situations);
+    return situations;
+}
+
+void AlertRules::addLinks(const LiveState& state, std::vector<Situation>& situations) {
+    const auto judge = [&](const LiveLink& link, const QString& key, const QString& broken, const QString& quiet) {
+        const bool stale = link.age_s.value_or(0.0) > stale_link_s;
+        if (link.up && !stale) return true;
+        const QString age = link.age_s ? tr("last heard %1 ago").arg(Formatter::age(*link.age_s)) : tr("never heard");
+        situations.push_back({key, AlertPriority::Warning, link.up ? quiet : broken,
+                              link.reason.isEmpty() ? age : link.reason + " · " + age, link_delay_s});
+        return false;
+    };
+    if (state.tracker &&
+        !judge(state.tracker->link, "tracker_link", tr("Link to the tracker lost"), tr("Tracker is quiet")))
+        return;  // the head's link is known through it only
+    if (!judge(state.sonar, "sonar_link", tr("Link to the sonar lost"), tr("Sonar is quiet"))) return;
+    if (!state.head.advice.empty())
+        situations.push_back(
+            {"head", AlertPriority::Warning, tr("The sonar head needs a look"), text(state.head.advice), link_delay_s});
+}
+
+void AlertRules::addHeading(const LiveState& state, double longest_gap_s, std::vector<Situation>& situations) {
+    if (!state.navigation && !state.run.navigation_expected) return;  // nobody asked for one
+    if (state.heading_age_s && *state.heading_age_s <= longest_gap_s) return;
+    const QString reason = state.navigation ? state.navigation->reason : QString();
+    const QString so = tr("tracks coast until it is back");
+    situations.push_back(
+        {"heading", AlertPriority::Warning,
+         state.heading_age_s ? tr("Heading old, limit %1").arg(Formatter::age(longest_gap_s)) : tr("No heading"),
+         reason.isEmpty() ? so : reason + " · " + so, heading_delay_s});
+}
+
+void AlertRules::addRecording(const LiveStatus& run, std::vector<Situation>& situations) {
+    const RecorderStatus& recorder = run.recorder;
+    if (!recorder.error.empty()) {
+        situations.push_back({"recording", AlertPriority::Alarm, tr("Recording has ended"),
+                              text(recorder.error) + " · " + tr("make room and connect again")});
+        return;
+    }
+    if (!recorder.recording) return;
+    const auto minutes = minutesLeft(run);
+    const bool full = recorder.disk == DiskState::Full || minutes.value_or(disk_alarm_min) < disk_alarm_min;
+    const bool low = recorder.disk == DiskState::Low || minutes.value_or(disk_caution_min) < disk_caution_min;
+    if (!full && !low) return;
+    const QString free =
+        tr("%1 free").arg(Formatter::withUnit(static_cast<double>(recorder.free_bytes) / 1e9, 1, "GB"));
+    situations.push_back({"disk", full ? AlertPriority::Alarm : AlertPriority::Caution,
+                          full ? tr("Disk full") : tr("Disk nearly full"),
+                          minutes ? free + " · " + tr("room for %1 min").arg(Formatter::number(*minutes, 0)) : free});
+}
+
+std::vector<Situation> AlertRules::ofScene(const Scene& scene, bool live) {
+    std::vector<Situation> situations;
+    for (const Track& track : scene.tracks) {
+        if (!track.target || track.state != TrackState::Lost) continue;
+        const Pose& pose = scene.latest.pose;
+        situations.push_back(
+            {QString("track_lost/%1").arg(track.id), AlertPriority::Alarm,
+             tr("%1 lost, no echo for %2")
+                 .arg(Formatter::trackId(track.id), Formatter::age(secondsBetween(track.last_seen, scene.latest.time))),
+             tr("expected at %1 %2")
+                 .arg(Formatter::range(rangeOf(track, pose)), Formatter::relativeBearing(bearingOf(track, pose))),
+             0.0, track.id});
+    }
+    if (!live && scene.navigation_known && scene.latest.navigation_gap)
+        situations.push_back({"heading", AlertPriority::Warning, tr("No heading"), tr("tracks coast until it is back"),
+                              heading_delay_s});
+    return situations;
+}
+
+Situation AlertRules::guardZoneEntered(int track, const QString& zone) {
+    return {QString("guard/%1/%2").arg(zone).arg(track),
+            AlertPriority::Alarm,
+            tr("%1 in guard zone %2").arg(Formatter::trackId(track), zone),
+            tr("a confirmed track has come in"),
+            0.0,
+            track};
+}
+
+}  // namespace echotrail

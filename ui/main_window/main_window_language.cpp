@@ -1,0 +1,81 @@
+#include "ui/main_window/main_window.hpp"
+#include "ui/main_window/shortcuts_overlay.hpp"
+#include "ui/main_window/status_bar.hpp"
+#include "ui/panels/layers/layers_panel.hpp"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLocale>
+#include <QMenuBar>
+#include <QSettings>
+
+namespace echotrail {
+namespace {
+
+constexpr auto language_setting = "language";
+
+}  // namespace
+
+Language MainWindow::firstLanguage() const {
+    if (!options_.language.isEmpty()) return languageFromName(options_.language);
+    if (!options_.remember) return Language::English;
+    const bool chinese = QLocale::system().language() == QLocale::Chinese;
+    const QString computers = languageName(chinese ? Language::Chinese : Language::English);
+    return languageFromName(QSettings().value(language_setting, computers).toString());
+}
+
+void MainWindow::setLanguage(Language language) {
+    if (options_.remember) QSettings().setValue(language_setting, languageName(language));
+    applyLanguage(*qApp, language);
+}
+
+void MainWindow::makeLanguageMenu(QMenu& menu) {
+    auto* group = new QActionGroup(&menu);
+    for (const Language language : {Language::English, Language::Chinese}) {
+        QAction* action = addAction(menu, languageTitle(language), {}, [this, language] { setLanguage(language); });
+        action->setCheckable(true);
+        action->setChecked(language == currentLanguage());
+        action->setActionGroup(group);
+    }
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange && keys_) retranslate();
+    QMainWindow::changeEvent(event);
+}
+
+/// Menus are made anew; the rest is named anew.
+void MainWindow::retranslate() {
+    const QList<QAction*> titles = menuBar()->actions();
+    for (QAction* title : titles) delete title->menu();
+    need_source_.clear();
+    need_recording_.clear();
+    control_actions_.clear();
+    makeMenus();
+    nameDocks();
+    status_->nameChips();
+    status_->showTheme(themeTitle(theme_));
+    shortcuts_->update();
+    delete layers_;  // it mirrors the fan, and keeps nothing
+    layers_dock_->setWidget(layers_ = new LayersPanel(*fan_, this));
+    if (bridge_.scene()) layers_->setScene(*bridge_.scene());
+    onStatus(bridge_.status());
+    showTracker(bridge_.liveState());
+    showAlerts();
+}
+
+void MainWindow::nameDocks() {
+    connection_dock_->setWindowTitle(tr("Sonar"));
+    layers_dock_->setWindowTitle(tr("Layers"));
+    tracks_dock_->setWindowTitle(tr("Tracks"));
+    parameters_dock_->setWindowTitle(tr("Parameters"));
+    alerts_dock_->setWindowTitle(tr("Alerts"));
+    time_line_dock_->setWindowTitle(tr("Time line"));
+    keys_->setText(tr("Space play   ← → 5 s   Shift one sweep   Ctrl one ping   , . speed   ? shortcuts"));
+    if (!bridge_.isOpen()) foot_->setText(tr("No source open"));
+}
+
+}  // namespace echotrail
