@@ -20,9 +20,10 @@ void addTrackOptions(CLI::App& command, TrackArguments& a) {
         "--report", a.report,
         "Motion controller: udp://HOST:PORT or tcp://HOST:PORT gets the target as JSON lines at every "
         "update and at 10 Hz between; with ?format=nmea as TTM sentences, and TLL where GGA or RMC say where on earth");
-    command.add_option("--serve", a.serve,
-                       "Consoles are served at tcp://127.0.0.1:PORT (0: any free port); only this machine's own "
-                       "addresses are taken");
+    command.add_option(
+        "--serve", a.serve,
+        "Consoles are served at tcp://127.0.0.1:PORT (0: any free port), which only this machine reaches, "
+        "or at tls://0.0.0.0:PORT, where those may come in that are paired; see echotrail pair");
     addRunOptions(command, a);
     command.add_option("--seed", a.seed, "Seed of the random numbers (default 0)")->check(CLI::NonNegativeNumber);
     command

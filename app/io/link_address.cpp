@@ -37,7 +37,8 @@ Result<void> readOptions(std::string_view options, LinkAddress& address) {
             const auto port = numberIn(value, 0, 65'535);
             if (!port) return Error{"listen=" + std::string(value) + " is no port, 0 to 65535"};
             address.listen = static_cast<std::uint16_t>(*port);
-        } else if (name == "format" && !serial && (value == "json" || value == "nmea")) {
+        } else if (name == "format" && !serial && address.kind != LinkAddress::Kind::Tls &&
+                   (value == "json" || value == "nmea")) {
             address.format = value;
         } else {
             return Error{"the option " + std::string(option) + " is not understood"};
@@ -49,7 +50,8 @@ Result<void> readOptions(std::string_view options, LinkAddress& address) {
 }  // namespace
 
 bool isLinkAddress(const std::string& text) {
-    return text == "pty" || text.starts_with("serial://") || text.starts_with("tcp://") || text.starts_with("udp://");
+    return text == "pty" || text.starts_with("serial://") || text.starts_with("tcp://") || text.starts_with("tls://") ||
+           text.starts_with("udp://");
 }
 
 Result<LinkAddress> parseLinkAddress(const std::string& text) {
@@ -61,6 +63,7 @@ Result<LinkAddress> parseLinkAddress(const std::string& text) {
     if (!isLinkAddress(text)) return refused(text);
     address.kind = text.starts_with("serial") ? LinkAddress::Kind::Serial
                    : text.starts_with("tcp")  ? LinkAddress::Kind::Tcp
+                   : text.starts_with("tls")  ? LinkAddress::Kind::Tls
                                               : LinkAddress::Kind::Udp;
     std::string rest = text.substr(text.find("://") + 3);
     const auto question = rest.find('?');
@@ -106,6 +109,8 @@ std::string toText(const LinkAddress& address) {
             return "serial://" + address.device + "?baud=" + std::to_string(address.baud);
         case LinkAddress::Kind::Tcp:
             return "tcp://" + where + options;
+        case LinkAddress::Kind::Tls:
+            return "tls://" + where;
         case LinkAddress::Kind::Udp:
             return "udp://" + where + options;
         case LinkAddress::Kind::PseudoTerminal:

@@ -10,7 +10,7 @@ namespace echotrail {
 
 /// Where a live device is reached, or where one is waited for.
 struct LinkAddress {
-    enum class Kind { Serial, Tcp, Udp, PseudoTerminal };
+    enum class Kind { Serial, Tcp, Udp, PseudoTerminal, Tls };
     Kind kind = Kind::Tcp;
     std::string device;  ///< of a serial port
     int baud = 115'200;
@@ -21,11 +21,12 @@ struct LinkAddress {
     bool operator==(const LinkAddress&) const = default;
 };
 
-/// Whether a text names a live link (serial, tcp, udp or pty) rather than a file or a scenario.
+/// Whether a text names a live link (serial, tcp, tls, udp or pty) rather than a file or a scenario.
 bool isLinkAddress(const std::string& text);
 
 /// Reads `serial:///dev/ttyUSB0?baud=115200`, `tcp://HOST:PORT`, `udp://HOST:PORT?listen=PORT` (an IPv6 host in
-/// brackets) or `pty`. The error, a matter of usage, says what would be accepted.
+/// brackets), `pty`, or `tls://HOST:PORT`, where a tracker is, and never a device. The error, a matter of usage, says
+/// what would be accepted.
 Result<LinkAddress> parseLinkAddress(const std::string& text);
 
 /// The same of an option that may be left out; the error names the option.

@@ -157,8 +157,9 @@ TEST(LiveUsage, WrongAddressesAreSaidInOneLine) {
     EXPECT_TRUE(isOneLine(exists.errors)) << exists.errors;
 }
 
-TEST(LiveUsage, ConsolesAreServedOnThisMachineOnly) {
-    for (const char* serve : {"tcp://0.0.0.0:7000", "tcp://192.168.1.5:7000", "tcp://[::]:0", "udp://127.0.0.1:0"}) {
+TEST(LiveUsage, ConsolesAreServedByPlainTcpOnThisMachineOnly) {
+    for (const char* serve :
+         {"tcp://0.0.0.0:7000", "tcp://192.168.1.5:7000", "tcp://[::]:0", "udp://127.0.0.1:0", "tls://vehicle:7000"}) {
         const Outcome outcome = run({"track", "--sonar", "tcp://127.0.0.1:1", "--no-record", "--serve", serve});
         EXPECT_EQ(outcome.exit_code, 2) << serve;
         EXPECT_TRUE(isOneLine(outcome.errors)) << outcome.errors;
