@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -66,7 +67,10 @@ void TrackRun::start() {
             }
             if (first) feed_->send(runner_.now(), *first, runner_.status().navigation.plane);
         });
-        reports_.start(100);
+        constexpr double usual_hz = 10.0;
+        const double rate_hz = options_.report->rate_hz > 0.0 ? options_.report->rate_hz : usual_hz;
+        reports_.setTimerType(Qt::PreciseTimer);
+        reports_.start(static_cast<int>(std::lround(1e3 / rate_hz)));
     }
     link_->open();
 }

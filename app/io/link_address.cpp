@@ -1,10 +1,13 @@
 #include "app/io/link_address.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace echotrail {
 namespace {
+
+constexpr double slowest_report_hz = 0.1, fastest_report_hz = 50.0;
 
 std::optional<int> numberIn(std::string_view text, int least, int most) {
     int value = 0;
@@ -12,6 +15,13 @@ std::optional<int> numberIn(std::string_view text, int least, int most) {
     if (failure != std::errc() || stop != text.data() + text.size() || value < least || value > most)
         return std::nullopt;
     return value;
+}
+
+/// The shortest text that reads back to the same.
+std::string numberText(double value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
 }
 
 Error refused(const std::string& text) {
@@ -40,6 +50,13 @@ Result<void> readOptions(std::string_view options, LinkAddress& address) {
         } else if (name == "format" && !serial && address.kind != LinkAddress::Kind::Tls &&
                    (value == "json" || value == "nmea")) {
             address.format = value;
+        } else if (name == "rate" && !serial && address.kind != LinkAddress::Kind::Tls) {
+            double rate_hz = 0.0;
+            const auto [stop, failure] = std::from_chars(value.data(), value.data() + value.size(), rate_hz);
+            const bool read = failure == std::errc() && stop == value.data() + value.size();
+            if (!read || !(rate_hz >= slowest_report_hz && rate_hz <= fastest_report_hz))
+                return Error{"rate=" + std::string(value) + " is no rate of reports, 0.1 to 50 a second"};
+            address.rate_hz = rate_hz;
         } else {
             return Error{"the option " + std::string(option) + " is not understood"};
         }
@@ -104,6 +121,7 @@ std::string toText(const LinkAddress& address) {
     std::string options;
     if (address.listen != 0) options = "?listen=" + std::to_string(address.listen);
     if (!address.format.empty()) options += (options.empty() ? "?format=" : "&format=") + address.format;
+    if (address.rate_hz > 0.0) options += (options.empty() ? "?rate=" : "&rate=") + numberText(address.rate_hz);
     switch (address.kind) {
         case LinkAddress::Kind::Serial:
             return "serial://" + address.device + "?baud=" + std::to_string(address.baud);

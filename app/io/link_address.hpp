@@ -18,6 +18,7 @@ struct LinkAddress {
     std::uint16_t port = 0;    ///< to listen on: 0 is any free one
     std::uint16_t listen = 0;  ///< UDP: where answers are expected; 0 is any free one
     std::string format;        ///< of a report: "json" or "nmea"
+    double rate_hz = 0.0;      ///< of a report, how often; 0: as usual
     bool operator==(const LinkAddress&) const = default;
 };
 
