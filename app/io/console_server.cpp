@@ -2,6 +2,10 @@
 
 #include "core/link/pairing_message.hpp"
 
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
 #include <QHostAddress>
 #include <QSslSocket>
 #include <QTcpSocket>
@@ -11,8 +15,9 @@ namespace echotrail {
 namespace {
 
 // What is in a socket cannot be taken back: little, so that a slow way is noticed and less is sent.
-constexpr qint64 socket_bytes = 64 * 1024;
-constexpr int kernel_bytes = 128 * 1024;
+constexpr qint64 socket_bytes = 16 * 1024;
+constexpr int kernel_bytes = 128 * 1024;  // what is under way on a far, fast one
+constexpr int unsent_bytes = 8 * 1024;    // that the kernel has taken and not yet sent
 constexpr qint64 read_bytes = 256 * 1024;
 constexpr qint64 read_at_once = 64 * 1024;
 constexpr int tick_ms = 50;
@@ -119,6 +124,8 @@ std::optional<std::uint32_t> ConsoleServer::welcome(QTcpSocket* socket) {
     socket->setReadBufferSize(read_bytes);
     socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
     socket->setSocketOption(QAbstractSocket::SendBufferSizeSocketOption, kernel_bytes);
+    ::setsockopt(static_cast<int>(socket->socketDescriptor()), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &unsent_bytes,
+                 sizeof unsent_bytes);
     connect(socket, &QTcpSocket::readyRead, this, [this, id = *console] { read(id); });
     connect(socket, &QTcpSocket::bytesWritten, this, [this, id = *console] { flush(id); });
     connect(socket, &QTcpSocket::disconnected, this, [this, id = *console] { close(id); });

@@ -50,6 +50,7 @@ public:
     /// Cause → connections that TLS did not let in.
     std::map<std::string, std::uint64_t> turnedAway() const;
     std::size_t consoles() const { return server_.consoles(); }
+    SendQueue::Level levelOf(std::uint32_t console) const { return server_.levelOf(console); }
 
 Q_SIGNALS:
     /// Consoles came, went, took control, misbehaved: one line.
