@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QHostAddress>
 #include <QStringList>
 #include <QTemporaryDir>
 #include <chrono>
@@ -97,6 +98,8 @@ TEST_F(TlsLink, ATrackerThatIsNotPairedIsToldNothing) {
     })) << console.state().reason;
     EXPECT_EQ(console.state().client.joins, 0U);
     EXPECT_EQ(console.state().client.bytes, 0U);
+    ASSERT_TRUE(becomes([&] { return server.turnedAway()["broke_off"] > 0; }));
+    EXPECT_TRUE(notes[0].contains("run 'echotrail pair'")) << notes[0].toStdString();
 }
 
 TEST_F(TlsLink, WhoIsRevokedIsDroppedAndStaysOut) {
@@ -142,6 +145,11 @@ TEST_F(TlsLink, StrangersOfEveryKindDisturbNobody) {
         silent.back()->connectToHost("127.0.0.1", address.port);
     }
     ASSERT_TRUE(becomes([&] { return server.turnedAway()["too_many"] >= 80; }));
+    QSslSocket other;  // comes from elsewhere
+    other.bind(QHostAddress("127.0.0.2"));
+    other.setSslConfiguration(tlsConfiguration(shore().own().value(), QSslSocket::VerifyNone));
+    other.connectToHostEncrypted("127.0.0.1", address.port);
+    EXPECT_TRUE(becomes([&] { return server.consoles() == 2; })) << "is not kept out by them";
     ping(0);
     EXPECT_TRUE(becomes([&] { return console.state().last_ping.has_value(); }));
     EXPECT_TRUE(console.state().up);
