@@ -3,6 +3,7 @@
 #include "app/io/tracker_link.hpp"
 #include "core/runtime/link_moment.hpp"
 #include "tests/app/io/event_loop.hpp"
+#include "tests/app/io/slow_way.hpp"
 #include "tests/core/link/sample_values.hpp"
 
 #include <gtest/gtest.h>
@@ -113,6 +114,24 @@ TEST_F(TlsLink, WhoIsRevokedIsDroppedAndStaysOut) {
     ASSERT_TRUE(becomes([&] { return server.turnedAway()["not_paired"] > 0; })) << "it comes back by itself, in vain";
     EXPECT_EQ(server.consoles(), 0U);
     EXPECT_TRUE(notes.join('\n').contains("has been revoked"));
+}
+
+TEST_F(TlsLink, ASlowWayIsNoticedThroughTls) {
+    trustTracker();
+    trustConsole();
+    SlowWay radio(address.port, {.bytes_per_second = 16'000});
+    address.port = radio.port();
+    TrackerLink console(address, {"shore", "test"});
+    console.open();
+    ASSERT_TRUE(becomes([&] { return console.state().up; })) << console.state().reason;
+    std::uint64_t pinged = 0;
+    QTimer pings;
+    QObject::connect(&pings, &QTimer::timeout, [&] { ping(pinged++); });
+    pings.start(20);
+    EXPECT_TRUE(becomes([&] { return server.levelOf(1) >= SendQueue::NoParticles; }))
+        << "what TLS holds in its own buffer counts, too";
+    EXPECT_TRUE(console.state().up);
+    EXPECT_EQ(server.counts().resynchronised, 0U);
 }
 
 TEST_F(TlsLink, StrangersOfEveryKindDisturbNobody) {
