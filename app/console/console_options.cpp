@@ -42,7 +42,9 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
         ->needs(sonar);
     app.add_flag("--no-record", options.no_record, "Keep nothing of what the head sends")->needs(sonar);
     app.add_option("--connect", options.connect,
-                   "Follow a tracker: tcp://HOST:PORT, as 'echotrail track --serve' says it")
+                   "Follow a tracker: tls://HOST:PORT once 'echotrail pair' has been run on both sides, or "
+                   "tcp://127.0.0.1:PORT on "
+                   "this machine")
         ->excludes(recording)
         ->excludes(demonstration)
         ->excludes(sonar);

@@ -2,6 +2,7 @@
 
 #include "app/io/link_health.hpp"
 
+#include <QHostAddress>
 #include <QSysInfo>
 #include <algorithm>
 
@@ -33,9 +34,15 @@ TrackerState trackerState(const TrackerLinkState& state) {
 
 Result<std::unique_ptr<LiveSource>> RemoteConnection::make(const QString& address) {
     auto parsed = parseLinkAddress(address.toStdString());
-    if (!parsed) return Error{"'" + address.toStdString() + "' is no address of a tracker; say tcp://HOST:PORT"};
-    if (parsed->kind != LinkAddress::Kind::Tcp || parsed->port == 0)
-        return Error{"a tracker is reached at tcp://HOST:PORT"};
+    const std::string forms = "say tls://HOST:PORT, or tcp://127.0.0.1:PORT on this machine";
+    if (!parsed) return Error{"'" + address.toStdString() + "' is no address of a tracker; " + forms};
+    const bool plain = parsed->kind == LinkAddress::Kind::Tcp;
+    if ((!plain && parsed->kind != LinkAddress::Kind::Tls) || parsed->port == 0)
+        return Error{address.toStdString() + ": a tracker is not reached so; " + forms};
+    const bool here = parsed->host == "localhost" || QHostAddress(QString::fromStdString(parsed->host)).isLoopback();
+    if (plain && !here)
+        return Error{address.toStdString() + ": plain TCP does not leave this machine; pair with echotrail pair, and " +
+                     forms};
     return std::unique_ptr<LiveSource>(std::make_unique<RemoteConnection>(*parsed));
 }
 

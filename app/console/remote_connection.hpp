@@ -11,7 +11,7 @@ namespace echotrail {
 /// painting of the picture.
 class RemoteConnection : public LiveSource {
 public:
-    /// `address` is tcp; the error, a matter of usage, says what would be accepted.
+    /// `address` is tls, or tcp on this machine; the error, a matter of usage, says what would be accepted.
     static Result<std::unique_ptr<LiveSource>> make(const QString& address);
     explicit RemoteConnection(const LinkAddress& address);
     ~RemoteConnection() override;

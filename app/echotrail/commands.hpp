@@ -15,6 +15,9 @@ using Command = std::function<ExitCode()>;
 /// `echotrail track`: the onboard tracker.
 Command addTrackCommand(CLI::App& program);
 
+/// `echotrail pair`: whom this machine lets in, or goes to.
+Command addPairCommand(CLI::App& program);
+
 /// `echotrail replay`: a recording through the pipeline, tracks out.
 Command addReplayCommand(CLI::App& program);
 

@@ -19,7 +19,8 @@ ExitCode runCommand(int argc, char** argv) {
         {"track", echotrail::addTrackCommand(program)},       {"replay", echotrail::addReplayCommand(program)},
         {"simulate", echotrail::addSimulateCommand(program)}, {"verify", echotrail::addVerifyCommand(program)},
         {"convert", echotrail::addConvertCommand(program)},   {"recover", echotrail::addRecoverCommand(program)},
-        {"evaluate", echotrail::addEvaluateCommand(program)}, {"info", echotrail::addInfoCommand(program)}};
+        {"evaluate", echotrail::addEvaluateCommand(program)}, {"info", echotrail::addInfoCommand(program)},
+        {"pair", echotrail::addPairCommand(program)}};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

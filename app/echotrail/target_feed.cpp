@@ -3,7 +3,14 @@
 #include "core/navigation/target_sentences.hpp"
 #include "tracks_writer.hpp"
 
+#include <algorithm>
+
 namespace echotrail {
+namespace {
+
+constexpr double longest_silence_s = 3.0;  // of the head; the slowest pings in some tenths of a second
+
+}  // namespace
 
 Result<std::unique_ptr<TargetFeed>> TargetFeed::open(const LinkAddress& address) {
     auto sender = ReportSender::open(address);
@@ -13,23 +20,28 @@ Result<std::unique_ptr<TargetFeed>> TargetFeed::open(const LinkAddress& address)
 
 void TargetFeed::take(const Update& update, const ScanningSonarPipeline& pipeline) {
     const std::scoped_lock lock(mutex_);
+    heard_ = update.time;
     if (!update.navigation_gap) followOwnMotion(update);
     origin_ = pipeline.origin();
-    bool looked_at = false;
-    for (const TrackLook& look : update.looks)
-        if (look.target) {
-            fresh_.push_back(look);
-            looked_at = true;
-        }
-    if (!looked_at) return;  // a copy of the particles, only where they have changed
-    target_.reset();
+    const std::size_t before = fresh_.size();
+    for (const TrackLook& look : update.looks) {
+        if (look.target) fresh_.push_back(look);
+        if (!look.target && target_ && look.track == target_->id) target_.reset();  // the designation was taken back
+    }
+    if (fresh_.size() == before) return;  // a copy of the particles, only where they have changed
+    bool lives = false;
     for (Track& track : pipeline.tracks())
-        if (track.target) target_ = std::move(track);
+        if (track.target) {
+            target_ = std::move(track);
+            lives = true;
+        }
+    if (!lives && target_) target_->state = fresh_.back().state;  // its end is to be told, too
 }
 
 void TargetFeed::followOwnMotion(const Update& update) {
     constexpr double baseline_s = 1.0;  // from ping to ping a centimetre of a position would be a fast vehicle
     own_.pose = update.pose;
+    own_time_ = update.time;
     if (!baseline_) baseline_ = {update.time, update.pose};
     const double passed_s = secondsBetween(baseline_->time, update.time);
     if (passed_s < baseline_s) return;
@@ -39,13 +51,18 @@ void TargetFeed::followOwnMotion(const Update& update) {
     baseline_ = {update.time, update.pose};
 }
 
+/// Where the vehicle is by now, as it moved last.
+OwnMotion TargetFeed::ownAt(Timestamp time) const {
+    OwnMotion own = own_;
+    const double passed_s = std::clamp(secondsBetween(own_time_, time), 0.0, longest_silence_s);
+    own.pose.north_m += own.velocity_mps.x() * passed_s;
+    own.pose.east_m += own.velocity_mps.y() * passed_s;
+    return own;
+}
+
 void TargetFeed::send(Timestamp now, Timestamp first_ping, const std::optional<LocalPlane>& plane) {
     const std::scoped_lock lock(mutex_);
-    if (!target_) {
-        fresh_.clear();
-        return;
-    }
-    if (fresh_.empty()) say(reportOn(*target_, own_, now), first_ping, plane);
+    if (!target_) return fresh_.clear();
     for (const TrackLook& look : fresh_) {
         TargetReport report = reportOn(*target_, own_, look.time);
         report.look = look;
@@ -53,6 +70,13 @@ void TargetFeed::send(Timestamp now, Timestamp first_ping, const std::optional<L
         say(report, first_ping, plane);
     }
     fresh_.clear();
+    TargetReport report = reportOn(*target_, ownAt(now), now);
+    // Where no ping comes, nothing can be missed, and a track would be confirmed for ever.
+    if (secondsBetween(heard_, now) > longest_silence_s) {
+        report.valid = false;
+        report.look.state = TrackState::Lost;
+    }
+    say(report, first_ping, plane);
 }
 
 void TargetFeed::say(const TargetReport& report, Timestamp first_ping, const std::optional<LocalPlane>& plane) {

@@ -18,11 +18,14 @@ void addTrackOptions(CLI::App& command, TrackArguments& a) {
     command.add_flag("--no-record", a.no_record, "Keep nothing")->excludes(record);
     command.add_option(
         "--report", a.report,
-        "Motion controller: udp://HOST:PORT or tcp://HOST:PORT gets the target as JSON lines at every "
-        "update and at 10 Hz between; with ?format=nmea as TTM sentences, and TLL where GGA or RMC say where on earth");
-    command.add_option("--serve", a.serve,
-                       "Consoles are served at tcp://127.0.0.1:PORT (0: any free port); only this machine's own "
-                       "addresses are taken");
+        "Motion controller: udp://HOST:PORT or tcp://HOST:PORT gets the target as JSON lines: every look at it, and 10 "
+        "times a second, or ?rate=0.1 to 50, where it is by now as predicted: position (m), velocity (m/s), covariance "
+        "(m²), age of the last echo (s), validity, closest approach (m), time to it (s) and risk (0 to 1); with "
+        "?format=nmea (or &format=nmea) as TTM sentences, and TLL where GGA or RMC say where on earth");
+    command.add_option(
+        "--serve", a.serve,
+        "Consoles are served at tcp://127.0.0.1:PORT (0: any free port), which only this machine reaches, "
+        "or at tls://0.0.0.0:PORT, where those may come in that are paired; see echotrail pair");
     addRunOptions(command, a);
     command.add_option("--seed", a.seed, "Seed of the random numbers (default 0)")->check(CLI::NonNegativeNumber);
     command

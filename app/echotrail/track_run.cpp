@@ -1,6 +1,8 @@
 #include "track_run.hpp"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -34,6 +36,11 @@ Result<void> TrackRun::serve() {
     const auto address = service_->start(*options_.serve);
     if (!address) return Error{address.error()};
     note("consoles are served at " + toText(*address));
+    const bool by_tls = address->kind == LinkAddress::Kind::Tls;
+    const auto known = TrustStore::ofUser().list();
+    const auto is_console = [](const TrustStore::Peer& peer) { return peer.role == TrustStore::Role::Console; };
+    if (by_tls && std::none_of(known.begin(), known.end(), is_console))
+        note("no console is paired yet, so that none may come in; run echotrail pair");
     return {};
 }
 
@@ -60,7 +67,10 @@ void TrackRun::start() {
             }
             if (first) feed_->send(runner_.now(), *first, runner_.status().navigation.plane);
         });
-        reports_.start(100);
+        constexpr double usual_hz = 10.0;
+        const double rate_hz = options_.report->rate_hz > 0.0 ? options_.report->rate_hz : usual_hz;
+        reports_.setTimerType(Qt::PreciseTimer);
+        reports_.start(static_cast<int>(std::lround(1e3 / rate_hz)));
     }
     link_->open();
 }
@@ -152,7 +162,7 @@ nlohmann::ordered_json TrackRun::finish(const std::string& reason) {
         summary["consoles"] = {{"connections", counts.link.connections}, {"turned_away", counts.link.turned_away},
                                {"malformed", counts.link.malformed},     {"refused", counts.link.refused},
                                {"dropped", counts.link.dropped},         {"resynchronised", counts.link.resynchronised},
-                               {"missed_moments", counts.missed}};
+                               {"not_let_in", counts.turned_away},       {"missed_moments", counts.missed}};
     }
     runner_.record({UpdateKind::Summary, runner_.now(), summary.dump()});
     runner_.closeLog();

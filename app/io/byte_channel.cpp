@@ -1,16 +1,12 @@
 #include "app/io/byte_channel.hpp"
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
+#include "app/io/tls_channel.hpp"
 
 #include <QFile>
 #include <QHostAddress>
 #include <QHostInfo>
 #include <QNetworkDatagram>
 #include <QSerialPort>
-#include <QSignalBlocker>
-#include <QTcpSocket>
 #include <QUdpSocket>
 #include <algorithm>
 #include <optional>
@@ -20,7 +16,7 @@ namespace echotrail {
 namespace {
 
 constexpr int first_wait_ms = 250, longest_wait_ms = 5'000;
-constexpr int connect_patience_ms = 5'000, device_look_ms = 1'000, unanswered_ms = 10'000;
+constexpr int device_look_ms = 1'000;
 
 class SerialChannel final : public ByteChannel {
 public:
@@ -64,59 +60,6 @@ private:
 
     QSerialPort port_{this};
     QTimer look_{this};
-};
-
-class TcpChannel final : public ByteChannel {
-public:
-    explicit TcpChannel(const LinkAddress& address) : ByteChannel(address) {
-        patience_.setSingleShot(true);
-        connect(&socket_, &QTcpSocket::connected, this, [this] {
-            patience_.stop();
-            setOptions();
-            linkMade();
-        });
-        connect(&socket_, &QTcpSocket::readyRead, this, [this] { take(socket_.readAll()); });
-        connect(&socket_, &QTcpSocket::errorOccurred, this, [this](QAbstractSocket::SocketError error) {
-            lose(error == QAbstractSocket::RemoteHostClosedError
-                     ? QStringLiteral("the other side closed the connection")
-                     : socket_.errorString());
-        });
-        connect(&patience_, &QTimer::timeout, this, [this] { lose(QStringLiteral("no answer")); });
-    }
-    ~TcpChannel() override { socket_.disconnect(this); }
-
-private:
-    void tryOpen() override {
-        shut();
-        patience_.start(connect_patience_ms);
-        socket_.connectToHost(QString::fromStdString(address().host), address().port);
-    }
-    void lose(const QString& reason) {
-        shut();
-        linkLost(QString::fromStdString(toText(address())) + ": " + reason);
-    }
-    void setOptions() {
-        socket_.setSocketOption(QAbstractSocket::LowDelayOption, 1);
-        socket_.setSocketOption(QAbstractSocket::KeepAliveOption, 1);
-        // A pulled cable says nothing: without these the system finds out after hours.
-        const auto set = [this](int option, int value) {
-            ::setsockopt(static_cast<int>(socket_.socketDescriptor()), IPPROTO_TCP, option, &value, sizeof value);
-        };
-        set(TCP_KEEPIDLE, 5);
-        set(TCP_KEEPINTVL, 2);
-        set(TCP_KEEPCNT, 3);
-        set(TCP_USER_TIMEOUT, unanswered_ms);
-    }
-    void shut() override {
-        patience_.stop();
-        const QSignalBlocker silent(socket_);  // our own closing is no event
-        socket_.abort();
-    }
-    qint64 waitingBytes() const override { return socket_.bytesToWrite(); }
-    bool write(const QByteArray& bytes) override { return socket_.write(bytes) == bytes.size(); }
-
-    QTcpSocket socket_{this};
-    QTimer patience_{this};
 };
 
 /// There is no connection: the link is up when the port is bound. Only the device's own datagrams are heard, from
@@ -234,6 +177,8 @@ std::unique_ptr<ByteChannel> makeChannel(const LinkAddress& address) {
     switch (address.kind) {
         case LinkAddress::Kind::Tcp:
             return std::make_unique<TcpChannel>(address);
+        case LinkAddress::Kind::Tls:
+            return std::make_unique<TlsChannel>(address, TrustStore::ofUser());
         case LinkAddress::Kind::Udp:
             return std::make_unique<UdpChannel>(address);
         case LinkAddress::Kind::Serial:

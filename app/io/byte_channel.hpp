@@ -19,10 +19,9 @@ struct ChannelCounts {
     std::uint64_t times_up = 0;
 };
 
-/// A two-way stream of bytes to a device: a serial port, TCP as client, or UDP. It keeps trying: where the link cannot
-/// be made, or breaks, it is made again after a quarter of a second, and then after longer and longer, up to 5 s, until
-/// bytes come again.
-/// Threads: the one it lives in (moveToThread() before open()), whose event loop runs.
+/// A two-way stream of bytes to a device: a serial port, TCP or TLS as client, or UDP. It keeps trying: where the link
+/// cannot be made, or breaks, it is made again after a quarter of a second, and then after longer and longer, up to 5
+/// s, until bytes come again. Threads: the one it lives in (moveToThread() before open()), whose event loop runs.
 class ByteChannel : public QObject {
     Q_OBJECT
 public:

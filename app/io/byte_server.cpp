@@ -203,6 +203,7 @@ Result<std::unique_ptr<ByteServer>> ByteServer::listen(const LinkAddress& addres
         case LinkAddress::Kind::PseudoTerminal:
             return started<PseudoTerminal>();
         case LinkAddress::Kind::Serial:
+        case LinkAddress::Kind::Tls:
             break;
     }
     return Error{"nothing can listen on " + toText(address) + "; say tcp://ADDR:PORT, udp://ADDR:PORT or pty"};

@@ -1,6 +1,13 @@
 #include "app/io/console_server.hpp"
 
+#include "core/link/pairing_message.hpp"
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
 #include <QHostAddress>
+#include <QSslSocket>
 #include <QTcpSocket>
 #include <utility>
 
@@ -8,38 +15,49 @@ namespace echotrail {
 namespace {
 
 // What is in a socket cannot be taken back: little, so that a slow way is noticed and less is sent.
-constexpr qint64 socket_bytes = 64 * 1024;
-constexpr int kernel_bytes = 128 * 1024;
+constexpr qint64 socket_bytes = 16 * 1024;
+constexpr int kernel_bytes = 128 * 1024;  // what is under way on a far, fast one
+constexpr int unsent_bytes = 8 * 1024;    // that the kernel has taken and not yet sent
 constexpr qint64 read_bytes = 256 * 1024;
 constexpr qint64 read_at_once = 64 * 1024;
 constexpr int tick_ms = 50;
 constexpr Microseconds last_words{1'000'000};  // for the refusal to go out
 constexpr Microseconds notes_interval{10'000'000};
-constexpr std::uint64_t notes_per_interval = 20;  // nobody fills the tracker's own output by knocking
+constexpr std::uint64_t notes_per_interval = 20;
+constexpr Microseconds trust_interval{1'000'000};
 
 QHostAddress hostOf(const LinkAddress& address) {
     if (address.host == "localhost") return QHostAddress(QHostAddress::LocalHost);
     return QHostAddress(QString::fromStdString(address.host));
 }
 
+/// Bytes that the system has not taken.
+qint64 waitingIn(const QTcpSocket& socket) {
+    const auto* tls = qobject_cast<const QSslSocket*>(&socket);
+    return socket.bytesToWrite() + (tls ? tls->encryptedBytesToWrite() : 0);
+}
+
 }  // namespace
 
 Result<void> checkServable(const LinkAddress& address) {
-    if (address.kind != LinkAddress::Kind::Tcp)
-        return Error{"consoles are served over TCP only, as in tcp://127.0.0.1:7000"};
-    if (!hostOf(address).isLoopback())
+    if (address.kind != LinkAddress::Kind::Tcp && address.kind != LinkAddress::Kind::Tls)
+        return Error{"consoles are served by TCP or TLS, as in tcp://127.0.0.1:7000 or tls://0.0.0.0:7000"};
+    if (hostOf(address).isNull())
+        return Error{"'" + address.host + "' is no address of this machine in numbers; 0.0.0.0 is all it has"};
+    if (address.kind == LinkAddress::Kind::Tcp && !hostOf(address).isLoopback())
         return Error{"'" + address.host +
                      "' is not this machine's own loopback address (127.0.0.1, ::1 or localhost): whoever could reach "
-                     "another one could command the head. Let consoles elsewhere come through a tunnel, as in "
-                     "ssh -L 7000:127.0.0.1:7000"};
+                     "another one by plain TCP could command the head. Say tls://" +
+                     address.host + ":" + std::to_string(address.port) + ", and pair the console with echotrail pair"};
     return {};
 }
 
 ConsoleServer::ConsoleServer(const LinkIdentity& identity, std::vector<NamedValue> parameters, Clock clock,
-                             Handler handler)
+                             Handler handler, const TrustStore& trust)
     : clock_(std::move(clock)),
       handler_(std::move(handler)),
-      server_(identity, static_cast<std::uint64_t>(clock_().time_since_epoch().count()), std::move(parameters)) {}
+      server_(identity, static_cast<std::uint64_t>(clock_().time_since_epoch().count()), std::move(parameters)),
+      trust_(trust) {}
 
 ConsoleServer::~ConsoleServer() {
     for (auto& [console, peer] : peers_) {
@@ -50,12 +68,9 @@ ConsoleServer::~ConsoleServer() {
 
 Result<LinkAddress> ConsoleServer::listen(const LinkAddress& address) {
     if (auto servable = checkServable(address); !servable) return Error{servable.error()};
-    listener_ = std::make_unique<QTcpServer>();
+    if (auto made = makeListener(address); !made) return Error{made.error()};
     if (!listener_->listen(hostOf(address), address.port))
         return Error{"cannot serve consoles on " + toText(address) + ": " + listener_->errorString().toStdString()};
-    connect(listener_.get(), &QTcpServer::newConnection, this, [this] {
-        while (QTcpSocket* socket = listener_->nextPendingConnection()) welcome(socket);
-    });
     tick_ = new QTimer(this);
     connect(tick_, &QTimer::timeout, this, [this] { tick(); });
     tick_->start(tick_ms);
@@ -64,21 +79,58 @@ Result<LinkAddress> ConsoleServer::listen(const LinkAddress& address) {
     return real;
 }
 
-void ConsoleServer::welcome(QTcpSocket* socket) {
+Result<void> ConsoleServer::makeListener(const LinkAddress& address) {
+    tls_ = nullptr;
+    if (address.kind == LinkAddress::Kind::Tls) {
+        const auto own = trust_.own();
+        if (!own) return Error{own.error()};
+        const auto refusal = refusalFrame(
+            "this console is not paired here; run 'echotrail pair' aboard, and 'echotrail "
+            "pair tls://HOST:PORT' there with the code that it shows");
+        auto tls = std::make_unique<TlsListener>(
+            *own, [this](const QByteArray& shown) { return trust_.isPaired(TrustStore::Role::Console, shown); },
+            QByteArray::fromStdString(refusal));
+        connect(tls.get(), &TlsListener::admitted, this, &ConsoleServer::welcomeByTls);
+        connect(tls.get(), &TlsListener::turnedAway, this, &ConsoleServer::tell);
+        tls_ = tls.get();
+        listener_ = std::move(tls);
+        return {};
+    }
+    listener_ = std::make_unique<QTcpServer>();
+    connect(listener_.get(), &QTcpServer::newConnection, this, [this] {
+        while (QTcpSocket* socket = listener_->nextPendingConnection()) welcome(socket);
+    });
+    return {};
+}
+
+void ConsoleServer::welcomeByTls(QSslSocket* socket) {
+    const QByteArray fingerprint = fingerprintOf(socket->peerCertificate());
+    const auto console = welcome(socket);
+    if (!console) return;
+    // What TLS has taken lies in a buffer of its own until the system takes it.
+    connect(socket, &QSslSocket::encryptedBytesWritten, this, [this, id = *console] { flush(id); });
+    if (const auto peer = peers_.find(*console); peer != peers_.end()) peer->second.fingerprint = fingerprint;
+}
+
+/// A console's number, where there is room for it.
+std::optional<std::uint32_t> ConsoleServer::welcome(QTcpSocket* socket) {
     const auto console = server_.connected(clock_());
     if (!console) {
         socket->abort();
         socket->deleteLater();
-        return;
+        return console;
     }
     peers_[*console].socket = socket;
     socket->setReadBufferSize(read_bytes);
     socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
     socket->setSocketOption(QAbstractSocket::SendBufferSizeSocketOption, kernel_bytes);
+    ::setsockopt(static_cast<int>(socket->socketDescriptor()), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &unsent_bytes,
+                 sizeof unsent_bytes);
     connect(socket, &QTcpSocket::readyRead, this, [this, id = *console] { read(id); });
     connect(socket, &QTcpSocket::bytesWritten, this, [this, id = *console] { flush(id); });
     connect(socket, &QTcpSocket::disconnected, this, [this, id = *console] { close(id); });
     if (socket->bytesAvailable() > 0) read(*console);
+    return console;
 }
 
 void ConsoleServer::read(std::uint32_t console) {
@@ -112,7 +164,7 @@ void ConsoleServer::flush(std::uint32_t console) {
     const auto found = peers_.find(console);
     if (found == peers_.end()) return;
     Peer& peer = found->second;
-    if (const qint64 room = socket_bytes - peer.socket->bytesToWrite(); room > 0) {
+    if (const qint64 room = socket_bytes - waitingIn(*peer.socket); room > 0) {
         std::string out;
         server_.takeOutput(console, clock_(), out, static_cast<std::size_t>(room));
         if (!out.empty()) peer.socket->write(out.data(), static_cast<qint64>(out.size()));
@@ -145,6 +197,7 @@ void ConsoleServer::close(std::uint32_t console) {
 
 void ConsoleServer::tick() {
     server_.tick(clock_());
+    dropRevoked();
     flush();
     std::vector<std::uint32_t> over;
     for (const auto& [console, peer] : peers_)
@@ -153,22 +206,46 @@ void ConsoleServer::tick() {
     tellNotes();
 }
 
-void ConsoleServer::tellNotes() {
+void ConsoleServer::dropRevoked() {
+    if (!tls_ || clock_() - trust_checked_ < trust_interval) return;
+    trust_checked_ = clock_();
+    std::vector<std::uint32_t> revoked;
+    for (const auto& [console, peer] : peers_)
+        if (!trust_.isPaired(TrustStore::Role::Console, peer.fingerprint)) revoked.push_back(console);
+    for (const std::uint32_t console : revoked) {
+        tell(tr("a console's pairing has been revoked; it is dropped"));
+        close(console);
+    }
+}
+
+void ConsoleServer::beginNotes() {
     const Timestamp now = clock_();
-    if (now - notes_since_ > notes_interval) {
-        if (notes_untold_ > 0) Q_EMIT noted(tr("%1 more lines about consoles left out").arg(notes_untold_));
-        notes_since_ = now;
-        notes_left_ = notes_per_interval;
-        notes_untold_ = 0;
+    if (now - notes_since_ <= notes_interval) return;
+    if (notes_untold_ > 0) Q_EMIT noted(tr("%1 more lines about consoles left out").arg(notes_untold_));
+    notes_since_ = now;
+    notes_left_ = notes_per_interval;
+    notes_untold_ = 0;
+}
+
+/// No more than so many in a while: nobody fills the tracker's own output by knocking.
+void ConsoleServer::tell(const QString& note) {
+    beginNotes();
+    if (notes_left_ == 0) {
+        ++notes_untold_;
+        return;
     }
-    while (const auto note = server_.nextNote()) {
-        if (notes_left_ > 0) {
-            --notes_left_;
-            Q_EMIT noted(QString::fromStdString(*note));
-        } else {
-            ++notes_untold_;
-        }
-    }
+    --notes_left_;
+    Q_EMIT noted(note);
+}
+
+void ConsoleServer::tellNotes() {
+    beginNotes();
+    while (const auto note = server_.nextNote()) tell(QString::fromStdString(*note));
+}
+
+std::map<std::string, std::uint64_t> ConsoleServer::turnedAway() const {
+    if (!tls_) return {};
+    return tls_->refused();
 }
 
 void ConsoleServer::publish(LinkMoment moment) { server_.publish(std::move(moment), clock_()); }

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "app/io/link_address.hpp"
+#include "app/io/tls_listener.hpp"
+#include "app/io/trust_store.hpp"
 #include "core/link/link_server.hpp"
 
 #include <QObject>
-#include <QTcpServer>
 #include <QTimer>
 #include <functional>
 #include <map>
@@ -13,17 +14,18 @@
 #include <string>
 #include <vector>
 
+class QSslSocket;
 class QTcpSocket;
 
 namespace echotrail {
 
-/// Whether consoles may be served there: on TCP, on this machine itself only. The error, a matter of usage, says why
-/// not and what to do.
+/// Whether consoles may be served there: by TCP on this machine itself only, by TLS on any of its addresses. The error,
+/// a matter of usage, says why not and what to do.
 Result<void> checkServable(const LinkAddress& address);
 
-/// The tracker's end of the link on TCP: sockets about a LinkServer. What a console does not read stays out of the
-/// sockets' buffers but for a little, so that it is the LinkServer that decides what is left out.
-/// Threads: the one it lives in (moveToThread() before listen()), whose event loop runs; destroyed there, too.
+/// The tracker's end of the link on TCP or TLS: sockets about a LinkServer. What a console does not read stays out of
+/// the sockets' buffers but for a little, so that it is the LinkServer that decides what is left out. Threads: the one
+/// it lives in (moveToThread() before listen()), whose event loop runs; destroyed there, too.
 class ConsoleServer : public QObject {
     Q_OBJECT
 public:
@@ -31,7 +33,9 @@ public:
     /// Does what is asked for; where that changed the parameters, all of them as they are now.
     using Handler = std::function<Result<std::optional<std::vector<NamedValue>>>(const LinkRequest&)>;
 
-    ConsoleServer(const LinkIdentity& identity, std::vector<NamedValue> parameters, Clock clock, Handler handler);
+    /// `trust` says who may come in by TLS; one who is revoked is dropped within a second.
+    ConsoleServer(const LinkIdentity& identity, std::vector<NamedValue> parameters, Clock clock, Handler handler,
+                  const TrustStore& trust = TrustStore::ofUser());
     ~ConsoleServer() override;
 
     /// Port 0 takes any free one; gives the address that consoles have to be told.
@@ -43,7 +47,10 @@ public:
     void flush();
 
     const LinkServer::Counts& counts() const { return server_.counts(); }
+    /// Cause → connections that TLS did not let in.
+    std::map<std::string, std::uint64_t> turnedAway() const;
     std::size_t consoles() const { return server_.consoles(); }
+    SendQueue::Level levelOf(std::uint32_t console) const { return server_.levelOf(console); }
 
 Q_SIGNALS:
     /// Consoles came, went, took control, misbehaved: one line.
@@ -52,24 +59,32 @@ Q_SIGNALS:
 private:
     struct Peer {
         QTcpSocket* socket = nullptr;
+        QByteArray fingerprint;  ///< by TLS
         std::optional<Timestamp> closing_since;
     };
-    void welcome(QTcpSocket* socket);
+    Result<void> makeListener(const LinkAddress& address);
+    std::optional<std::uint32_t> welcome(QTcpSocket* socket);
+    void welcomeByTls(QSslSocket* socket);
+    void dropRevoked();
     void read(std::uint32_t console);
     void flush(std::uint32_t console);
     void close(std::uint32_t console);
     void answerRequests();
     void tellNotes();
+    void beginNotes();
+    void tell(const QString& note);
     void tick();
 
     Clock clock_;
     Handler handler_;
     LinkServer server_;
+    TrustStore trust_;
     std::unique_ptr<QTcpServer> listener_;
+    TlsListener* tls_ = nullptr;  ///< the same, where it is one
     std::map<std::uint32_t, Peer> peers_;
     QTimer* tick_ = nullptr;
     std::uint64_t notes_left_ = 0, notes_untold_ = 0;  ///< of this interval
-    Timestamp notes_since_{};
+    Timestamp notes_since_{}, trust_checked_{};
 };
 
 }  // namespace echotrail

@@ -1,10 +1,13 @@
 #include "app/io/link_address.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace echotrail {
 namespace {
+
+constexpr double slowest_report_hz = 0.1, fastest_report_hz = 50.0;
 
 std::optional<int> numberIn(std::string_view text, int least, int most) {
     int value = 0;
@@ -12,6 +15,13 @@ std::optional<int> numberIn(std::string_view text, int least, int most) {
     if (failure != std::errc() || stop != text.data() + text.size() || value < least || value > most)
         return std::nullopt;
     return value;
+}
+
+/// The shortest text that reads back to the same.
+std::string numberText(double value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
 }
 
 Error refused(const std::string& text) {
@@ -37,8 +47,16 @@ Result<void> readOptions(std::string_view options, LinkAddress& address) {
             const auto port = numberIn(value, 0, 65'535);
             if (!port) return Error{"listen=" + std::string(value) + " is no port, 0 to 65535"};
             address.listen = static_cast<std::uint16_t>(*port);
-        } else if (name == "format" && !serial && (value == "json" || value == "nmea")) {
+        } else if (name == "format" && !serial && address.kind != LinkAddress::Kind::Tls &&
+                   (value == "json" || value == "nmea")) {
             address.format = value;
+        } else if (name == "rate" && !serial && address.kind != LinkAddress::Kind::Tls) {
+            double rate_hz = 0.0;
+            const auto [stop, failure] = std::from_chars(value.data(), value.data() + value.size(), rate_hz);
+            const bool read = failure == std::errc() && stop == value.data() + value.size();
+            if (!read || !(rate_hz >= slowest_report_hz && rate_hz <= fastest_report_hz))
+                return Error{"rate=" + std::string(value) + " is no rate of reports, 0.1 to 50 a second"};
+            address.rate_hz = rate_hz;
         } else {
             return Error{"the option " + std::string(option) + " is not understood"};
         }
@@ -49,7 +67,8 @@ Result<void> readOptions(std::string_view options, LinkAddress& address) {
 }  // namespace
 
 bool isLinkAddress(const std::string& text) {
-    return text == "pty" || text.starts_with("serial://") || text.starts_with("tcp://") || text.starts_with("udp://");
+    return text == "pty" || text.starts_with("serial://") || text.starts_with("tcp://") || text.starts_with("tls://") ||
+           text.starts_with("udp://");
 }
 
 Result<LinkAddress> parseLinkAddress(const std::string& text) {
@@ -61,6 +80,7 @@ Result<LinkAddress> parseLinkAddress(const std::string& text) {
     if (!isLinkAddress(text)) return refused(text);
     address.kind = text.starts_with("serial") ? LinkAddress::Kind::Serial
                    : text.starts_with("tcp")  ? LinkAddress::Kind::Tcp
+                   : text.starts_with("tls")  ? LinkAddress::Kind::Tls
                                               : LinkAddress::Kind::Udp;
     std::string rest = text.substr(text.find("://") + 3);
     const auto question = rest.find('?');
@@ -101,11 +121,14 @@ std::string toText(const LinkAddress& address) {
     std::string options;
     if (address.listen != 0) options = "?listen=" + std::to_string(address.listen);
     if (!address.format.empty()) options += (options.empty() ? "?format=" : "&format=") + address.format;
+    if (address.rate_hz > 0.0) options += (options.empty() ? "?rate=" : "&rate=") + numberText(address.rate_hz);
     switch (address.kind) {
         case LinkAddress::Kind::Serial:
             return "serial://" + address.device + "?baud=" + std::to_string(address.baud);
         case LinkAddress::Kind::Tcp:
             return "tcp://" + where + options;
+        case LinkAddress::Kind::Tls:
+            return "tls://" + where;
         case LinkAddress::Kind::Udp:
             return "udp://" + where + options;
         case LinkAddress::Kind::PseudoTerminal:

@@ -78,9 +78,12 @@ Result<LiveAddresses> parseLiveAddresses(const std::string& sonar, const std::st
     if (!link) return Error{"sonar: " + link.error()};
     if (link->kind == LinkAddress::Kind::PseudoTerminal)
         return Error{"sonar: a pseudo-terminal is reached by its device, as serial:///dev/pts/3"};
+    if (link->kind == LinkAddress::Kind::Tls) return Error{"sonar: no head speaks TLS; say tcp://HOST:PORT"};
     addresses.sonar = *std::move(link);
     auto told = parseLinkOption("navigation", navigation);
     if (!told) return Error{told.error()};
+    if (*told && (*told)->kind == LinkAddress::Kind::Tls)
+        return Error{"navigation: no such device speaks TLS; say tcp://HOST:PORT"};
     addresses.navigation = *std::move(told);
     return addresses;
 }

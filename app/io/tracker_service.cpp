@@ -61,7 +61,7 @@ void TrackerService::stop() {
     QMetaObject::invokeMethod(
         server_.get(),
         [this] {
-            counts_ = {server_->counts(), missed_};
+            counts_ = {server_->counts(), server_->turnedAway(), missed_};
             health_.reset();
             server_.reset();
         },

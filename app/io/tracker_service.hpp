@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QThread>
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -23,7 +24,8 @@ class TrackerService : public QObject {
 public:
     struct Counts {
         LinkServer::Counts link;
-        std::uint64_t missed = 0;  ///< moments that the consoles' thread was too slow for
+        std::map<std::string, std::uint64_t> turned_away;  ///< cause → connections that TLS did not let in
+        std::uint64_t missed = 0;                          ///< moments that the consoles' thread was too slow for
     };
 
     TrackerService(const LiveRunner::Params& params, LiveRunner& runner, HeadLink& head, const std::string& program);

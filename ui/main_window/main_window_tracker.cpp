@@ -46,8 +46,9 @@ void MainWindow::askForTracker() {
     QString address = "tcp://127.0.0.1:7000";
     if (options_.remember) address = QSettings().value(last_tracker, address).toString();
     bool chosen = false;
-    address = QInputDialog::getText(this, tr("Connect to a tracker"), tr("Address, tcp://HOST:PORT"), QLineEdit::Normal,
-                                    address, &chosen)
+    address = QInputDialog::getText(this, tr("Connect to a tracker"),
+                                    tr("Address: tls://HOST:PORT, or tcp://127.0.0.1:PORT on this machine"),
+                                    QLineEdit::Normal, address, &chosen)
                   .trimmed();
     if (chosen) openTracker(address);
 }

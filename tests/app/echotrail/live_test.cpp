@@ -2,11 +2,15 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <nlohmann/json.hpp>
 #include <poll.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -116,6 +120,96 @@ TEST_P(LiveProgram, ItsRecordingGivesTheSameTracks) {
 INSTANTIATE_TEST_SUITE_P(Channels, LiveProgram,
                          testing::Values("tcp://127.0.0.1:0", "udp://127.0.0.1:0", "pty", "simulation://demo?seed=3"));
 
+/// A motion controller that listens on UDP.
+class Controller {
+public:
+    Controller() {
+        socket_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+        sockaddr_in here{};
+        here.sin_family = AF_INET;
+        here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t size = sizeof here;
+        auto* address = reinterpret_cast<sockaddr*>(&here);
+        if (bind(socket_, address, size) == 0 && getsockname(socket_, address, &size) == 0) port = ntohs(here.sin_port);
+    }
+    ~Controller() { close(socket_); }
+    Controller(const Controller&) = delete;
+    Controller& operator=(const Controller&) = delete;
+
+    /// The next report; empty where none comes within a minute.
+    std::string report() const {
+        std::array<char, 2048> bytes{};
+        pollfd wait{socket_, POLLIN, 0};
+        if (poll(&wait, 1, 60'000) != 1) return {};
+        const ssize_t size = recv(socket_, bytes.data(), bytes.size(), 0);
+        return {bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
+    }
+    std::uint16_t port = 0;
+
+private:
+    int socket_ = -1;
+};
+
+/// A simulated head that is ready at once, and a tracker that follows a piece of debris which it sees early.
+struct ReportingTracker {
+    explicit ReportingTracker(const Controller& controller, const std::string& options)
+        : head({"simulate", "demo", "--serve-sonar", "tcp://127.0.0.1:0", "--head", "head_boot_s=0", "--head",
+                "head_centring_s=0"}),
+          track({"track", "--sonar", nlohmann::json::parse(head.line(), nullptr, false).value("sonar", ""),
+                 "--no-record", "--quiet", "--set", "channel=low", "--target", "46,20", "--report",
+                 "udp://127.0.0.1:" + std::to_string(controller.port) + options}) {}
+    Background head, track;
+};
+
+TEST(TargetFeed, SaysSteadilyWhereTheTargetIsByNow) {
+    const Controller controller;
+    const ReportingTracker tracker(controller, "?rate=5");
+    double last_t = -1.0, last_covariance = 0.0;
+    for (int predictions = 0; predictions < 6;) {
+        const auto report = nlohmann::json::parse(controller.report(), nullptr, false);
+        ASSERT_TRUE(report.is_object());
+        EXPECT_TRUE(report["target"].get<bool>());
+        for (const char* number :
+             {"velocity_north_mps", "velocity_east_mps", "age_s", "closest_approach_m", "time_to_closest_s", "risk"})
+            EXPECT_TRUE(report[number].is_number()) << number;
+        EXPECT_TRUE(report["valid"].is_boolean());
+        const double t = report["t"], covariance = report["covariance_m2"][0];
+        const bool is_look = report["seen"].get<bool>() || t <= last_t;  // or the beam has passed and seen nothing
+        if (is_look) predictions = 0;
+        if (predictions > 0) {
+            EXPECT_GE(covariance, last_covariance) << "between looks it is known less and less";
+        }
+        last_t = is_look ? -1.0 : t;
+        last_covariance = covariance;
+        if (is_look) continue;
+        ++predictions;
+    }
+}
+
+TEST(TargetFeed, AHeadThatFallsSilentMakesItInvalid) {
+    const Controller controller;
+    ReportingTracker tracker(controller, "?rate=20");
+    const auto valid_is = [&](bool wanted) {
+        for (int i = 0; i < 2000; ++i) {
+            const auto report = nlohmann::json::parse(controller.report(), nullptr, false);
+            if (!report.is_object()) return false;
+            if (report["valid"].get<bool>() == wanted) return true;
+        }
+        return false;
+    };
+    ASSERT_TRUE(valid_is(true));
+    tracker.head.end(SIGKILL);
+    EXPECT_TRUE(valid_is(false));
+}
+
+TEST(TargetFeed, SpeaksNmeaToo) {
+    const Controller controller;
+    const ReportingTracker tracker(controller, "?rate=10&format=nmea");
+    const std::string report = controller.report();
+    EXPECT_NE(report.find("TTM,"), std::string::npos) << report;
+    EXPECT_TRUE(report.ends_with("\r\n"));
+}
+
 using LiveRecording = LiveProgram;
 
 TEST_F(LiveRecording, AKilledTrackerLeavesALogThatOpensAndVerifies) {
@@ -157,8 +251,9 @@ TEST(LiveUsage, WrongAddressesAreSaidInOneLine) {
     EXPECT_TRUE(isOneLine(exists.errors)) << exists.errors;
 }
 
-TEST(LiveUsage, ConsolesAreServedOnThisMachineOnly) {
-    for (const char* serve : {"tcp://0.0.0.0:7000", "tcp://192.168.1.5:7000", "tcp://[::]:0", "udp://127.0.0.1:0"}) {
+TEST(LiveUsage, ConsolesAreServedByPlainTcpOnThisMachineOnly) {
+    for (const char* serve :
+         {"tcp://0.0.0.0:7000", "tcp://192.168.1.5:7000", "tcp://[::]:0", "udp://127.0.0.1:0", "tls://vehicle:7000"}) {
         const Outcome outcome = run({"track", "--sonar", "tcp://127.0.0.1:1", "--no-record", "--serve", serve});
         EXPECT_EQ(outcome.exit_code, 2) << serve;
         EXPECT_TRUE(isOneLine(outcome.errors)) << outcome.errors;

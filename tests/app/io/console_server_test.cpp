@@ -59,11 +59,12 @@ struct Follower {
     TrackerLink link;
 };
 
-TEST(ConsoleServer, ServesThisMachineOnly) {
-    for (const char* good : {"tcp://127.0.0.1:0", "tcp://localhost:0", "tcp://[::1]:7000", "tcp://127.5.5.5:1"})
+TEST(ConsoleServer, ServesThisMachineOnlyButByTls) {
+    for (const char* good : {"tcp://127.0.0.1:0", "tcp://localhost:0", "tcp://[::1]:7000", "tcp://127.5.5.5:1",
+                             "tls://0.0.0.0:0", "tls://192.168.1.5:7000", "tls://[::]:1"})
         EXPECT_TRUE(checkServable(parseLinkAddress(good).value())) << good;
     for (const char* bad : {"tcp://0.0.0.0:0", "tcp://192.168.1.5:7000", "tcp://[::]:7000", "tcp://vehicle:7000",
-                            "udp://127.0.0.1:7000", "pty"}) {
+                            "udp://127.0.0.1:7000", "pty", "tls://vehicle:7000"}) {
         const auto refused = checkServable(parseLinkAddress(bad).value());
         ASSERT_FALSE(refused) << bad;
         EXPECT_EQ(refused.error().find('\n'), std::string::npos);

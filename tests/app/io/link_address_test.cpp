@@ -26,9 +26,10 @@ TEST(LinkAddress, ASerialPortRunsAtTheHeadsOwnRateUnlessToldOtherwise) {
 }
 
 TEST(LinkAddress, WrittenTextReadsBackToTheSame) {
-    for (const char* text : {"serial:///dev/ttyUSB0?baud=9600", "tcp://head.local:4001", "tcp://[fe80::1]:0",
-                             "udp://10.0.0.1:65535?listen=1", "udp://10.0.0.1:5?format=nmea",
-                             "udp://10.0.0.1:5?listen=6&format=json", "tcp://h:1?format=nmea", "pty"}) {
+    for (const char* text :
+         {"serial:///dev/ttyUSB0?baud=9600", "tcp://head.local:4001", "tcp://[fe80::1]:0",
+          "udp://10.0.0.1:65535?listen=1", "udp://10.0.0.1:5?format=nmea", "udp://10.0.0.1:5?listen=6&format=json",
+          "tcp://h:1?format=nmea", "udp://h:1?format=nmea&rate=0.3", "tcp://h:1?rate=5", "tls://[::1]:7000", "pty"}) {
         const auto address = parseLinkAddress(text);
         ASSERT_TRUE(address) << text;
         const auto again = parseLinkAddress(toText(*address));
@@ -55,6 +56,12 @@ TEST(LinkAddress, RefusesWhatItDoesNotUnderstandAndNamesIt) {
                                    "udp://h:1?listen",
                                    "tcp://h:1?listen=5",
                                    "tcp://h:1?baud=9600",
+                                   "tls://h:1?format=nmea",
+                                   "udp://h:1?rate=0",
+                                   "udp://h:1?rate=51",
+                                   "udp://h:1?rate=fast",
+                                   "udp://h:1?rate=nan",
+                                   "tls://h:1?rate=5",
                                    "tcp://h:1?format=xml",
                                    "serial://",
                                    "serial:///",
