@@ -1,6 +1,7 @@
 #include "core/data/area.hpp"
 
 #include "core/data/polygon.hpp"
+#include "core/data/pose.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/data/pose.hpp"
-
 #include <Eigen/Core>
 
 #include <string>
@@ -9,11 +7,13 @@
 
 namespace echotrail {
 
+struct Pose;
+
 /// A part of the sea that the operator has drawn.
 struct Area {
     enum class Kind {
         Guard,  ///< a confirmed track that comes in is told of
-        Veto    ///< what is in there is none of the operator's business
+        Veto    ///< nobody is told of what is in there; the tracker does not know of it
     };
     Kind kind = Kind::Guard;
     std::string name;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/data/beam_line.hpp"
 #include "core/data/fan_image.hpp"
 #include "core/data/ping.hpp"
 #include "core/data/source.hpp"
@@ -15,6 +14,8 @@
 #include <vector>
 
 namespace echotrail {
+
+struct BeamLine;
 
 /// Everything the eye needs at one moment, copied from the pipeline at the display's pace: a picture may be skipped.
 struct Scene {

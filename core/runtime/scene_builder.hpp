@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/data/beam_line.hpp"
 #include "core/pipelines/scanning_sonar_pipeline.hpp"
 #include "core/runtime/scene.hpp"
 

@@ -1,17 +1,22 @@
 #include "ui/main_window/main_window.hpp"
 
+#include "ui/chart/guard_watch.hpp"
 #include "ui/main_window/dock_title.hpp"
 #include "ui/main_window/message_strip.hpp"
 #include "ui/main_window/recent_recordings.hpp"
 #include "ui/main_window/shortcuts_overlay.hpp"
 #include "ui/main_window/start_page.hpp"
 #include "ui/main_window/status_bar.hpp"
+#include "ui/panels/beam/beam_panel.hpp"
+#include "ui/panels/chart/chart_panel.hpp"
 #include "ui/panels/layers/layers_panel.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
+#include "ui/panels/plan/plan_view.hpp"
 #include "ui/panels/tracks/tracks_panel.hpp"
 #include "ui/panels/transport/timeline_view.hpp"
 #include "ui/panels/transport/transport_panel.hpp"
 #include "ui/style/formatter.hpp"
+#include "ui/style/upright_scroll.hpp"
 #include "ui/views/fan_view.hpp"
 
 #include <QApplication>
@@ -67,6 +72,7 @@ void MainWindow::makeCentre() {
     centre_ = new QStackedWidget(middle);
     start_ = new StartPage(centre_);
     fan_ = new FanView(centre_);
+    makeChart();
     centre_->addWidget(start_);
     centre_->addWidget(fan_);
     auto* column = new QVBoxLayout(middle);
@@ -100,7 +106,9 @@ void MainWindow::makeDocks() {
     tracks_ = new TracksPanel(this);
     parameters_ = new ParameterPanel(bridge_, this);
     transport_ = new TransportPanel(bridge_, this);
-    layers_dock_ = makeDock("layers", tr("Layers"), layers_, this);
+    // A low window must not be made higher by its layers.
+    auto* layers = new UprightScroll(layers_, this);
+    layers_dock_ = makeDock("layers", tr("Layers"), layers, this);
     tracks_dock_ = makeDock("tracks", tr("Tracks"), tracks_, this);
     parameters_dock_ = makeDock("parameters", tr("Parameters"), parameters_, this);
     time_line_dock_ = makeDock("time_line", tr("Time line"), transport_, this);
@@ -109,6 +117,8 @@ void MainWindow::makeDocks() {
     addDockWidget(Qt::RightDockWidgetArea, parameters_dock_);
     addDockWidget(Qt::BottomDockWidgetArea, time_line_dock_);
     makeConnectionDock();
+    makeChartDock();
+    makeBeamAndPlan();
     // Widths in the proportions of the design: 252 and 378 of 1600.
     const int line = fontMetrics().height();
     resizeDocks({connection_dock_, tracks_dock_}, {14 * line, 22 * line}, Qt::Horizontal);
@@ -176,6 +186,8 @@ void MainWindow::connectBridge() {
         foot_->setToolTip({});
         setWindowTitle(tr("Echotrail"));
         fan_->setScene(nullptr);
+        beam_->setScene(nullptr);
+        plan_->setScene(nullptr);
         onStatus({});
         showStart(true);
     });
@@ -206,6 +218,7 @@ void MainWindow::onOpened() {
     setWindowTitle(QString::fromStdString(info.name) + tr(" — Echotrail"));
     fan_->setScene(nullptr);  // what was open before
     recording_failure_told_ = false;
+    openChart();
     if (!bridge_.isLive()) status_->showSource(info);
     (bridge_.isLive() ? connection_dock_ : layers_dock_)->raise();
     setSummary(time_line_dock_, QString::fromStdString(info.name));
@@ -213,7 +226,10 @@ void MainWindow::onOpened() {
     fan_->setFocus(Qt::OtherFocusReason);
     QStringList notes;
     for (const std::string& note : info.notes) notes << QString::fromStdString(note);
-    foot_->setText((bridge_.isTracker() ? tr("Following %1") : bridge_.isLive() ? tr("Polling %1") : tr("Opened %1")).arg(QString::fromStdString(info.name)) +
+    foot_->setText((bridge_.isTracker() ? tr("Following %1")
+                    : bridge_.isLive()  ? tr("Polling %1")
+                                        : tr("Opened %1"))
+                       .arg(QString::fromStdString(info.name)) +
                    "   " + QString::fromStdString(info.head) +
                    (notes.isEmpty() ? QString() : "   " + tr("notes on it under FILE")));
     foot_->setToolTip(notes.join("\n"));
@@ -224,12 +240,16 @@ void MainWindow::onOpened() {
 
 void MainWindow::onScene(const std::shared_ptr<const Scene>& scene) {
     fan_->setScene(scene);
+    guards_->setScene(*scene);
+    beam_->setScene(scene);
     const bool rests = bridge_.status().state != ReplayState::Playing;
     if (!rests && readouts_.isValid() && readouts_.elapsed() < readout_interval_ms) return;
     readouts_.start();
     status_->showScene(*scene);
     tracks_->setScene(*scene);
     layers_->setScene(*scene);
+    chart_->setScene(*scene);
+    plan_->setScene(scene);
 }
 
 void MainWindow::onStatus(const ReplayStatus& status) {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "core/data/area.hpp"
 #include "ui/bridge/pipeline_bridge.hpp"
 #include "ui/style/palette.hpp"
 
 #include <QElapsedTimer>
 #include <QMainWindow>
+#include <QUndoGroup>
+#include <QUndoStack>
 
 class QAction;
 class QLabel;
@@ -12,12 +15,18 @@ class QStackedWidget;
 
 namespace echotrail {
 
+class AreaModel;
+class BeamPanel;
+class ChartPanel;
 class ConnectionPanel;
 struct CommandedSector;
 class FanView;
+class GuardWatch;
 class LayersPanel;
+class MarkModel;
 class MessageStrip;
 class ParameterPanel;
+class PlanView;
 class ShortcutsOverlay;
 class StaleBanner;
 class StartPage;
@@ -45,6 +54,10 @@ public:
     MessageStrip& messages() { return *messages_; }
     StaleBanner& stale() { return *stale_; }
     ConnectionPanel& connection() { return *connection_; }
+    MarkModel& marks() { return *marks_; }
+    AreaModel& areas() { return *areas_; }
+    /// Tells of confirmed tracks in guard zones.
+    GuardWatch& guards() { return *guards_; }
 
     void openRecording(const QString& path);
     void openDemonstration();
@@ -78,6 +91,20 @@ private:
     void askForTracker();
     void showTracker(const LiveState& state);
     void makeTrackMenu();
+    void makeChart();
+    void makeChartDock();
+    void makeChartMenu();
+    void makeBeamAndPlan();
+    void addDockKeys(QMenu& menu);
+    QList<QDockWidget*> docks() const;
+    void exportPlan();
+    void makeOrientationMenu(QMenu& menu);
+    void addUndo(QMenu& menu);
+    void setMark();
+    void drawArea(Area::Kind kind);
+    QString chartSource() const;
+    void openChart();
+    void keepChart();
     void makeRecordingMenu();
     void makeParametersMenu();
     void makeWindowMenu();
@@ -115,7 +142,7 @@ private:
     StaleBanner* stale_ = nullptr;
     QAction* edit_sector_ = nullptr;
     bool recording_failure_told_ = false;
-    static constexpr int layout_version = 2;  ///< of what is saved: another one is not restored
+    static constexpr int layout_version = 3;  ///< of what is saved: another one is not restored
     QByteArray first_layout_;
     QMenu* recent_menu_ = nullptr;
     QStackedWidget* centre_ = nullptr;
@@ -125,6 +152,18 @@ private:
     StatusBar* status_ = nullptr;
     ShortcutsOverlay* shortcuts_ = nullptr;
     ConnectionPanel* connection_ = nullptr;
+    QUndoStack chart_undo_;
+    QUndoGroup undo_;
+    MarkModel* marks_ = nullptr;
+    AreaModel* areas_ = nullptr;
+    GuardWatch* guards_ = nullptr;
+    ChartPanel* chart_ = nullptr;
+    bool opening_chart_ = false;  ///< it is being shown, not drawn
+    QDockWidget* chart_dock_ = nullptr;
+    BeamPanel* beam_ = nullptr;
+    PlanView* plan_ = nullptr;
+    QDockWidget* beam_dock_ = nullptr;
+    QDockWidget* plan_dock_ = nullptr;
     LayersPanel* layers_ = nullptr;
     TracksPanel* tracks_ = nullptr;
     ParameterPanel* parameters_ = nullptr;

@@ -9,7 +9,6 @@
 #include "ui/views/fan_view.hpp"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QDateTime>
 #include <QDir>
@@ -30,6 +29,7 @@ void MainWindow::makeMenus() {
     makeFileMenu();
     makeViewMenu();
     makeSonarMenu();
+    makeChartMenu();
     makeTrackMenu();
     makeRecordingMenu();
     makeParametersMenu();
@@ -73,21 +73,11 @@ void MainWindow::makeViewMenu() {
     addAction(menu, tr("Day, dusk, &night"), QKeySequence("F5"), [this] { nextTheme(); });
     menu.addSeparator();
     makeLayersMenu(*menu.addMenu(tr("&Layers")));
-    auto* orientation = new QActionGroup(this);
-    const auto orient = [&](const QString& title, Orientation which) {
-        auto* action = addAction(menu, title, {}, [this, which] { fan_->setOrientation(which); });
-        action->setActionGroup(orientation);
-        followFan(*action, [which](const FanView& fan) { return fan.orientation() == which; });
-    };
-    orient(tr("&Head up"), Orientation::HeadUp);
-    orient(tr("North &up"), Orientation::NorthUp);
+    makeOrientationMenu(menu);
     menu.addSeparator();
     auto* follow =
         addAction(menu, tr("F&ollow the vehicle"), QKeySequence("F2"), [this] { fan_->setFollow(!fan_->follows()); });
     followFan(*follow, [](const FanView& fan) { return fan.follows(); });
-    auto* measure =
-        addAction(menu, tr("&Measure"), QKeySequence("F4"), [this] { fan_->setMeasuring(!fan_->measures()); });
-    followFan(*measure, [](const FanView& fan) { return fan.measures(); });
     addAction(menu, tr("Fit the &picture"), QKeySequence("0"), [this] { fan_->resetView(); });
     menu.addSeparator();
     addAction(menu, tr("&Full screen"), QKeySequence("F11"),
@@ -105,6 +95,11 @@ void MainWindow::makeLayersMenu(QMenu& menu) {
         {tr("Ellipses"), &Layers::ellipses},
         {tr("History, prediction"), &Layers::history},
         {tr("Region of interest"), &Layers::region_of_interest},
+        {tr("Guard zones"), &Layers::guard_zones},
+        {tr("Veto areas"), &Layers::vetoes},
+        {tr("Marks"), &Layers::marks},
+        {tr("Echo trails"), &Layers::trails},
+        {tr("Moving only"), &Layers::moving},
         {tr("Rings and bearings"), &Layers::graticule},
         {tr("Target ×4"), &Layers::inset},
     };
@@ -154,19 +149,13 @@ void MainWindow::makeRecordingMenu() {
 void MainWindow::makeParametersMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Parameters"));
     ParameterForm& form = parameters_->form();
-    QUndoStack& stack = parameters_->model().undoStack();
     addAction(menu, tr("&Find…"), QKeySequence("Ctrl+F"), [this, &form] {
         parameters_dock_->show();
         parameters_dock_->raise();
         form.focusSearch();
     });
     menu.addSeparator();
-    auto* undo = addAction(menu, tr("&Undo"), QKeySequence("Ctrl+Z"), [&stack] { stack.undo(); });
-    auto* redo = addAction(menu, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), [&stack] { stack.redo(); });
-    undo->setEnabled(false);
-    redo->setEnabled(false);
-    connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
-    connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+    addUndo(menu);
     menu.addSeparator();
     addAction(menu, tr("&Load set…"), {}, [&form] { form.loadFile(); });
     addAction(menu, tr("&Save set…"), {}, [&form] { form.saveFile(); });
@@ -177,8 +166,8 @@ void MainWindow::makeParametersMenu() {
 
 void MainWindow::makeWindowMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Window"));
-    for (QDockWidget* dock : {connection_dock_, layers_dock_, tracks_dock_, parameters_dock_, time_line_dock_})
-        menu.QWidget::addAction(dock->toggleViewAction());
+    for (QDockWidget* dock : docks()) menu.QWidget::addAction(dock->toggleViewAction());
+    addDockKeys(menu);
     menu.addSeparator();
     addAction(menu, tr("&Reset layout"), {}, [this] { resetLayout(); });
 }
@@ -235,8 +224,7 @@ void MainWindow::nextTheme() {
 
 void MainWindow::resetLayout() {
     restoreState(first_layout_, layout_version);
-    for (QDockWidget* dock : {connection_dock_, layers_dock_, tracks_dock_, parameters_dock_, time_line_dock_})
-        dock->show();
+    for (QDockWidget* dock : docks()) dock->show();
 }
 
 void MainWindow::showAbout() {

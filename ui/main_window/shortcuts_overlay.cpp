@@ -11,7 +11,7 @@
 namespace echotrail {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 25> keys{{
+constexpr std::array<std::pair<const char*, const char*>, 32> keys{{
     {"Space", QT_TRANSLATE_NOOP("ShortcutsOverlay", "play or pause")},
     {"← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "5 s back or on")},
     {"Shift ← →", QT_TRANSLATE_NOOP("ShortcutsOverlay", "one sweep back or on")},
@@ -23,7 +23,14 @@ constexpr std::array<std::pair<const char*, const char*>, 25> keys{{
     {"Ctrl click", QT_TRANSLATE_NOOP("ShortcutsOverlay", "on a track: read its card")},
     {"+ − wheel", QT_TRANSLATE_NOOP("ShortcutsOverlay", "zoom the fan; 0 fits it again")},
     {"F2", QT_TRANSLATE_NOOP("ShortcutsOverlay", "follow the vehicle")},
-    {"F4", QT_TRANSLATE_NOOP("ShortcutsOverlay", "measure between two places")},
+    {"M F4", QT_TRANSLATE_NOOP("ShortcutsOverlay", "measure between two places")},
+    {"K", QT_TRANSLATE_NOOP("ShortcutsOverlay", "mark the place under the cursor")},
+    {"G V", QT_TRANSLATE_NOOP("ShortcutsOverlay", "draw a guard zone, a veto area")},
+    {"N", QT_TRANSLATE_NOOP("ShortcutsOverlay", "head up, north up, course up in turn")},
+    {"O", QT_TRANSLATE_NOOP("ShortcutsOverlay", "off-centre: the cursor's place to the middle")},
+    {"Ctrl Shift C", QT_TRANSLATE_NOOP("ShortcutsOverlay", "copy the cursor's place")},
+    {"B P", QT_TRANSLATE_NOOP("ShortcutsOverlay", "beam, plan to the front and back")},
+    {"Ctrl E", QT_TRANSLATE_NOOP("ShortcutsOverlay", "export the plan as CSV or PNG")},
     {"F5", QT_TRANSLATE_NOOP("ShortcutsOverlay", "day, dusk, night")},
     {"F11", QT_TRANSLATE_NOOP("ShortcutsOverlay", "full screen")},
     {"S", QT_TRANSLATE_NOOP("ShortcutsOverlay", "picture of the window")},
@@ -34,7 +41,7 @@ constexpr std::array<std::pair<const char*, const char*>, 25> keys{{
     {"E", QT_TRANSLATE_NOOP("ShortcutsOverlay", "set the head's sector: ← → Shift Tab Enter")},
     {"Ctrl D", QT_TRANSLATE_NOOP("ShortcutsOverlay", "demonstration")},
     {"Ctrl F", QT_TRANSLATE_NOOP("ShortcutsOverlay", "find a parameter")},
-    {"Ctrl Z", QT_TRANSLATE_NOOP("ShortcutsOverlay", "undo a parameter; with Shift: redo")},
+    {"Ctrl Z", QT_TRANSLATE_NOOP("ShortcutsOverlay", "undo a parameter, mark or area; with Shift: redo")},
     {"Esc", QT_TRANSLATE_NOOP("ShortcutsOverlay", "leave an edit or this sheet")},
     {"?", QT_TRANSLATE_NOOP("ShortcutsOverlay", "this sheet")},
 }};
@@ -82,19 +89,24 @@ void ShortcutsOverlay::paintEvent(QPaintEvent*) {
     const int line = fontMetrics().height();
     const int row = line * 3 / 2;
     const int key_width = line * 7;
-    QRect sheet(0, 0, line * 28, row * (static_cast<int>(keys.size()) + 2));
+    const int count = static_cast<int>(keys.size());
+    const int columns = row * (count + 2) > height() ? 2 : 1;
+    const int rows = (count + columns - 1) / columns;
+    const int column_width = line * 28;
+    QRect sheet(0, 0, column_width * columns, row * (rows + 2));
     sheet.moveCenter(rect().center());
     painter.fillRect(sheet, colours.panel);
     painter.setPen(colours.strong_line);
     painter.drawRect(sheet);
     QFont strong = font();
     strong.setWeight(QFont::DemiBold);
-    QRect at(sheet.left() + line, sheet.top() + line / 2, sheet.width() - 2 * line, row);
+    const QRect first(sheet.left() + line, sheet.top() + line / 2, column_width - 2 * line, row);
     painter.setFont(strong);
     painter.setPen(colours.text);
-    painter.drawText(at, Qt::AlignVCenter, tr("Keys"));
-    for (const auto& [key, meaning] : keys) {
-        at.translate(0, row);
+    painter.drawText(first, Qt::AlignVCenter, tr("Keys"));
+    for (int i = 0; i < count; ++i) {
+        const auto& [key, meaning] = keys[static_cast<std::size_t>(i)];
+        const QRect at = first.translated(i / rows * column_width, (i % rows + 1) * row);
         painter.setFont(strong);
         painter.setPen(colours.text);
         painter.drawText(at, Qt::AlignVCenter, QString::fromUtf8(key));

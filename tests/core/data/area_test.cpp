@@ -1,5 +1,7 @@
 #include "core/data/area.hpp"
 
+#include "core/data/pose.hpp"
+
 #include <gtest/gtest.h>
 
 namespace echotrail {
