@@ -188,6 +188,7 @@ void MainWindow::connectBridge() {
         fan_->setScene(nullptr);
         beam_->setScene(nullptr);
         plan_->setScene(nullptr);
+        openChart();
         onStatus({});
         showStart(true);
     });

@@ -1,5 +1,6 @@
 #include "ui/views/fan_view.hpp"
 
+#include "ui/chart/area_model.hpp"
 #include "ui/chart/mark_model.hpp"
 #include "ui/style/ui_metrics.hpp"
 #include "ui/views/orientation.hpp"
@@ -49,6 +50,14 @@ void FanView::setScene(std::shared_ptr<const Scene> scene) {
     ++serial_;
     ages_ = scene_ ? beamAges(*scene_, sectorOf(*scene_)) : BeamAges{};
     refreshMoving();
+    if (!scene_) {  // what the hand holds was on ground that is gone
+        draft_.reset();
+        held_corner_.reset();
+        measurement_.reset();
+        measurement_open_ = false;
+        measure_pressed_.reset();
+        if (areas_) shown_areas_ = areas_->areas();
+    }
     update();
 }
 

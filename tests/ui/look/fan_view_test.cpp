@@ -378,6 +378,22 @@ TEST_F(FanChartTest, ACornerIsDraggedInOneUndoableStep) {
     EXPECT_FALSE(view_.isOffCentre()) << "the picture stayed";
 }
 
+TEST_F(FanChartTest, WhatTheHandHoldsIsLetGoWhenTheSourceCloses) {
+    areas_.add({Area::Kind::Veto, "", false, {{14.0F, -8.0F}, {17.0F, -8.0F}, {17.0F, -3.0F}}});
+    QTest::mousePress(&view_, Qt::LeftButton, {}, at(14.0, -8.0));
+    view_.setScene(nullptr);
+    QTest::mouseMove(&view_, {400, 400});
+    QTest::mouseRelease(&view_, Qt::LeftButton, {}, {400, 400});
+    EXPECT_EQ(areas_.areas()[0].corners_m[0].x(), 14.0F);
+    view_.setScene(shared(test::fullScene()));
+    view_.drawArea(Area::Kind::Guard);
+    for (const auto& [north, east] : {std::pair{6.0, -3.0}, {9.0, -3.0}, {9.0, 3.0}}) click(at(north, east));
+    view_.setScene(nullptr);
+    QTest::keyClick(&view_, Qt::Key_Return);
+    pictureOf(view_);
+    EXPECT_EQ(areas_.areas().size(), 1);
+}
+
 TEST_F(FanChartTest, TheCursorsPlaceIsTextForAClipboard) {
     EXPECT_EQ(view_.cursorText(), "");
     Scene scene = test::fullScene();

@@ -258,6 +258,8 @@ TEST(MainWindow, MarksAndZonesComeBackWithTheirRecording) {
     ASSERT_EQ(window.marks().rowCount(), 1);
     EXPECT_EQ(window.marks().marks()[0].text, "net?");
     EXPECT_EQ(window.areas().rowCount(), 1);
+    window.bridge().close();
+    EXPECT_EQ(window.marks().rowCount(), 0) << "their ground is gone";
     QSettings().clear();
 }
 
