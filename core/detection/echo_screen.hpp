@@ -65,6 +65,8 @@ public:
 
     /// Whether the beam is still on something between these ranges.
     bool isOpenWithin(double near_m, double far_m) const;
+    /// What the last row's cells had to exceed their background by, in levels; 255 where nothing is detected.
+    std::span<const std::uint8_t> lastThreshold() const { return threshold_; }
     /// The first row of the oldest echo the beam is still on; the next row's number where there is none.
     std::uint64_t oldestOpenRow() const;
 

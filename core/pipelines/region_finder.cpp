@@ -68,6 +68,18 @@ void RegionFinder::add(const Ping& ping, const Ray& ray, const Pose& head, Times
     flagMultipath(regions);
 }
 
+BeamLine RegionFinder::lastLine() const {
+    if (next_row_ == 0) return {};
+    const Row& row = rowAt(next_row_ - 1);
+    BeamLine line{.time = row.time, .cell_m = row.echo.cell_m, .level = row.echo.smooth};
+    const auto excess = screen_.lastThreshold();
+    line.threshold.assign(line.level.size(), BeamLine::never);
+    for (std::size_t i = 0; i < std::min(excess.size(), line.level.size()); ++i)
+        line.threshold[i] =
+            static_cast<std::uint8_t>(std::min<int>(row.echo.background[i] + excess[i], BeamLine::never));
+    return line;
+}
+
 std::optional<Timestamp> RegionFinder::settledUntil() const {
     if (next_row_ == sweep_first_row_) return std::nullopt;
     const std::uint64_t oldest = screen_.oldestOpenRow();

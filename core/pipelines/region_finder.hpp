@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/data/beam_line.hpp"
 #include "core/data/ping.hpp"
 #include "core/data/region.hpp"
 #include "core/detection/echo_conditioner.hpp"
@@ -47,6 +48,9 @@ public:
              std::span<const RangeOfInterest> interests, std::vector<Region>& regions);
     /// Whether the beam is still on something between these ranges.
     bool isOpenWithin(double near_m, double far_m) const { return screen_.isOpenWithin(near_m, far_m); }
+    /// The last ping as it was compared with the threshold; empty before the first one. Its bearings are not known
+    /// here.
+    BeamLine lastLine() const;
     /// No region that is still to come is of an earlier time. Empty before the first ping.
     std::optional<Timestamp> settledUntil() const;
 

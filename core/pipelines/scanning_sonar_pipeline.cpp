@@ -112,6 +112,13 @@ void ScanningSonarPipeline::applyPick() {
     pick_.reset();
 }
 
+BeamLine ScanningSonarPipeline::lastLine() const {
+    BeamLine line = regions_.lastLine();
+    line.from_bow = update_.beam;
+    line.from_north = beam_.azimuth;
+    return line;
+}
+
 Timestamp ScanningSonarPipeline::settledUntil() const {
     return tracker_.settledUntil(regions_.settledUntil().value_or(beam_.time));
 }

@@ -59,7 +59,8 @@ public:
     const Params& params() const { return params_; }
 
     /// The operator's pick: the first region or track within max(3 m, 10 % of the range) of this place becomes the
-    /// target, waiting as long as needed (a stronger one in the same pass goes before). The place is relative to the head at the latest ping (before any: the first).
+    /// target, waiting as long as needed (a stronger one in the same pass goes before). The place is relative to the
+    /// head at the latest ping (before any: the first).
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
 
@@ -67,6 +68,8 @@ public:
     std::vector<Track> tracks() const { return tracker_.tracks(); }
     /// The picture so far, in the local frame; empty before the first wedge, or when painting is off.
     const FanImage& fan() const { return fan_.image(); }
+    /// The last ping's echo line with its detection threshold; empty before the first one.
+    BeamLine lastLine() const;
     /// No look that is still to come is of an earlier time; so what is older can be written in order.
     Timestamp settledUntil() const;
     void setFanPainting(bool on) { paint_fan_ = on; }

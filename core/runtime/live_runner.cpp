@@ -136,15 +136,24 @@ void LiveRunner::process(const Ping& ping) {
     ++taken_;
     without_pose_ += last_update_.navigation_gap;
     last_ping_ = ping;
-    builder_.add(last_ping_, last_update_, took_s);
+    builder_.add(last_ping_, last_update_, took_s, pipeline_);
     tell(last_update_, pipeline_.settledUntil());
     if (!scenes_.empty()) return;  // nobody has looked at the last one yet
     Scene scene = builder_.build(pipeline_, last_ping_, last_update_);
     scene.position = taken_;
     scene.counts = feed_.counts();
     scene.navigation_known = !feed_.navigation().empty();
+    scene.plane = planeOfPings();
     if (enhanced_) scene.enhanced = enhanceLocally(scene.fan, pipeline_.params().enhancement);
     scenes_.put(std::move(scene));
+}
+
+/// The plane of navigation, laid where the vehicle was at the first ping.
+std::optional<LocalPlane> LiveRunner::planeOfPings() const {
+    const auto plane = feed_.navigationStatus().plane;
+    const auto& origin = pipeline_.origin();
+    if (!plane || !origin) return std::nullopt;
+    return LocalPlane(plane->toGeographic({origin->north_m, origin->east_m}));
 }
 
 void LiveRunner::apply(const RunControl& control) {

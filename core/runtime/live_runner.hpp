@@ -90,6 +90,7 @@ private:
     void postLocked(EventKind kind, std::vector<std::uint8_t> payload);
     void takePings(Microseconds arrived);
     void process(const Ping& ping);
+    std::optional<LocalPlane> planeOfPings() const;
     void apply(const RunControl& control);
     void tell(const Update& update, Timestamp settled);
     void skip(const Ping& ping);

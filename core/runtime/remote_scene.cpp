@@ -45,6 +45,8 @@ void RemoteScene::takeBeam(const LinkBeam& beam) {
     const Ray ray = makeRay(beam_.ping, beam.update.pose, beam.update.later_pose, beam.mount, beam.first_ping);
     fan_.add(ray, beam.ping.range_scale_m, beam.update.broke_off || break_off_);
     break_off_ = false;
+    builder_.addPicture(fan_.image(), beam.update);
+    builder_.addLine(lineOf(beam.ping, beam.update));
 }
 
 void RemoteScene::takeTracks(const LinkTracks& tracks) {

@@ -103,7 +103,7 @@ bool ReplayPlayer::advance() {
     applyRecorded(*pipeline_);
     const double before = processorSeconds();
     latest_ = pipeline_->process(ping_, source_->navigation());
-    builder_->add(ping_, latest_, processorSeconds() - before);
+    builder_->add(ping_, latest_, processorSeconds() - before, *pipeline_);
     ++position_;
     applyDesignationsHere();
     return true;

@@ -9,6 +9,8 @@ namespace {
 
 constexpr double full_circle_rad = 2.0 * std::numbers::pi;
 constexpr double mean_over_pings = 50.0;
+constexpr int line_slots = 360;
+constexpr std::size_t most_line_cells = 400;
 
 }  // namespace
 
@@ -42,7 +44,9 @@ void SceneBuilder::followSweep(const Ping& ping, const Update& update) {
         sweep_origin_ = update.beam;
         turned_rad_ = least_rad_ = most_rad_ = 0.0;
     } else {
-        turned_rad_ += update.beam - last_bearing_;
+        const double turn = update.beam - last_bearing_;
+        if (turn != 0.0) turns_clockwise_ = turn > 0.0;
+        turned_rad_ += turn;
         least_rad_ = std::min(least_rad_, turned_rad_);
         most_rad_ = std::max(most_rad_, turned_rad_);
     }
@@ -63,10 +67,47 @@ void SceneBuilder::add(const Ping& ping, const Update& update, double processor_
         return beam_is_back || forgotten;
     });
     regions_.insert(regions_.end(), update.regions.begin(), update.regions.end());
+    keeper_.add(TimedPose{update.time, update.pose});
+    for (const TrackLook& look : update.looks) keeper_.add(look);
     const double microseconds = 1e6 * processor_seconds;
     mean_microseconds_ = mean_microseconds_ == 0.0
                              ? microseconds
                              : mean_microseconds_ + (microseconds - mean_microseconds_) / mean_over_pings;
+}
+
+void SceneBuilder::add(const Ping& ping, const Update& update, double processor_seconds,
+                       const ScanningSonarPipeline& pipeline) {
+    add(ping, update, processor_seconds);
+    if (ping.motor_lost_sync) return;  // nobody knows where the beam looked
+    addPicture(pipeline.fan(), update);
+    addLine(pipeline.lastLine());
+}
+
+void SceneBuilder::addPicture(const FanImage& fan, const Update& update) {
+    if (update.sweep_ended) memory_.add(fan);
+}
+
+void SceneBuilder::addLine(BeamLine line) {
+    live_line_ = std::make_shared<const BeamLine>(std::move(line));
+    lines_.resize(line_slots);
+    const auto slot = static_cast<long>(std::floor(live_line_->from_bow.inDegrees() + line_slots / 2.0));
+    lines_[static_cast<std::size_t>(std::clamp(slot, 0L, line_slots - 1L))] = live_line_;
+}
+
+BeamLine lineOf(const Ping& ping, const Update& update) {
+    BeamLine line{
+        .time = ping.time, .from_bow = update.beam, .from_north = update.beam + update.pose.heading.inRadians()};
+    const std::size_t bins = ping.levels.size();
+    const std::size_t cells = std::min(bins, most_line_cells);
+    if (cells == 0) return line;
+    line.cell_m = ping.binSize() * static_cast<double>(bins) / static_cast<double>(cells);
+    for (std::size_t i = 0; i < cells; ++i) {
+        const std::size_t first = i * bins / cells, last = (i + 1) * bins / cells;
+        std::size_t sum = 0;
+        for (std::size_t bin = first; bin < last; ++bin) sum += ping.levels[bin];
+        line.level.push_back(static_cast<std::uint8_t>(sum / (last - first)));
+    }
+    return line;
 }
 
 void SceneBuilder::addFinal(const Update& update) {
@@ -84,6 +125,12 @@ Scene SceneBuilder::build(const FanImage& fan, std::vector<Track> tracks, const 
     scene.sweep_s = sweep_s_;
     scene.sector_left = left_;
     scene.sector_right = right_;
+    scene.turns_clockwise = turns_clockwise_;
+    scene.lines = lines_;
+    scene.live_line = live_line_;
+    scene.remembered = memory_.remembered();
+    scene.paths = std::make_shared<const Paths>(keeper_.paths());
+    scene.course = courseOf(keeper_.paths().vehicle);
     scene.microseconds_per_ping = mean_microseconds_;
     return scene;
 }

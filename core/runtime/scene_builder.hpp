@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/data/beam_line.hpp"
 #include "core/pipelines/scanning_sonar_pipeline.hpp"
 #include "core/runtime/scene.hpp"
 
@@ -8,11 +9,16 @@
 namespace echotrail {
 
 /// Gathers over a run what a Scene shows beyond the latest update: the regions of the last turn of the beam, the
-/// sweep's duration and its edges.
+/// sweep's duration and its edges, the echo lines by bearing, earlier sweeps, and the paths.
 /// Order: add() once per ping, in time order.
 class SceneBuilder {
 public:
     void add(const Ping& ping, const Update& update, double processor_seconds);
+    /// The same with what the pipeline has seen: the picture, and the echo line with its threshold.
+    void add(const Ping& ping, const Update& update, double processor_seconds, const ScanningSonarPipeline& pipeline);
+    /// The picture as it is after a ping that was added.
+    void addPicture(const FanImage& fan, const Update& update);
+    void addLine(BeamLine line);
     /// Regions that the end of the source closed.
     void addFinal(const Update& update);
 
@@ -41,7 +47,15 @@ private:
     Bearing right_;
     bool whole_sweep_ = false;
     bool started_ = false;
+    bool turns_clockwise_ = true;
     double mean_microseconds_ = 0.0;
+    std::vector<std::shared_ptr<const BeamLine>> lines_;
+    std::shared_ptr<const BeamLine> live_line_;
+    EchoMemory memory_;
+    PathKeeper keeper_;
 };
+
+/// A ping without the detection's view of it: its levels in cells of a line, and no threshold.
+BeamLine lineOf(const Ping& ping, const Update& update);
 
 }  // namespace echotrail

@@ -276,6 +276,163 @@
     </message>
 </context>
 <context>
+    <name>echotrail::AreaModel</name>
+    <message>
+        <source>Guard</source>
+        <translation>警戒</translation>
+    </message>
+    <message>
+        <source>Veto</source>
+        <translation>屏蔽</translation>
+    </message>
+    <message>
+        <source>draw %1</source>
+        <translation>绘制 %1</translation>
+    </message>
+    <message>
+        <source>rename %1</source>
+        <translation>重命名 %1</translation>
+    </message>
+    <message>
+        <source>corner of %1</source>
+        <translation>%1 的角点</translation>
+    </message>
+    <message>
+        <source>frame of %1</source>
+        <translation>%1 的固定方式</translation>
+    </message>
+    <message>
+        <source>delete %1</source>
+        <translation>删除 %1</translation>
+    </message>
+    <message>
+        <source>with the vehicle</source>
+        <translation>随航行器</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>固定于海底</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>固定</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::BeamPanel</name>
+    <message>
+        <source>Beam</source>
+        <translation>波束</translation>
+    </message>
+    <message>
+        <source>under the cursor</source>
+        <translation>光标处</translation>
+    </message>
+    <message>
+        <source>on the target</source>
+        <translation>目标处</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>No beam yet</source>
+        <translation>尚无波束</translation>
+    </message>
+    <message>
+        <source>%1, %2 old   peak %3 at %4</source>
+        <translation>%1，%2 前   峰值 %3，位于 %4</translation>
+    </message>
+    <message>
+        <source>threshold not told</source>
+        <translation>未告知门限</translation>
+    </message>
+    <message>
+        <source>nothing is detected there</source>
+        <translation>该处不做检测</translation>
+    </message>
+    <message>
+        <source>threshold there %1</source>
+        <translation>该处门限 %1</translation>
+    </message>
+    <message>
+        <source>saturated cells %1</source>
+        <translation>饱和单元 %1</translation>
+    </message>
+    <message>
+        <source>bright: this beam   grey: live   dashes: threshold</source>
+        <translation>亮线：此波束   灰线：实时   虚线：门限</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::ChartPanel</name>
+    <message>
+        <source>Marks</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Mark the place under the cursor, else the target (K)</source>
+        <translation>标记光标处，否则标记目标 (K)</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Delete the selected mark; Ctrl+Z brings it back</source>
+        <translation>删除所选标记；Ctrl+Z 可恢复</translation>
+    </message>
+    <message>
+        <source>Areas</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Guard zone…</source>
+        <translation>警戒区…</translation>
+    </message>
+    <message>
+        <source>Draw a guard zone on the fan: click its corners, Enter closes it (G)</source>
+        <translation>在扇形图上绘制警戒区：逐个点击角点，按 Enter 闭合 (G)</translation>
+    </message>
+    <message>
+        <source>Veto area…</source>
+        <translation>屏蔽区…</translation>
+    </message>
+    <message>
+        <source>Draw an area in which guard zones stay silent: click its corners, Enter closes it (V)</source>
+        <translation>绘制一个警戒区不报警的区域：逐个点击角点，按 Enter 闭合 (V)</translation>
+    </message>
+    <message>
+        <source>Fix to ground</source>
+        <translation>固定于海底</translation>
+    </message>
+    <message>
+        <source>Whether the selected area moves with the vehicle or stays</source>
+        <translation>所选区域随航行器移动还是保持不动</translation>
+    </message>
+    <message>
+        <source>Delete the selected area; Ctrl+Z brings it back</source>
+        <translation>删除所选区域；Ctrl+Z 可恢复</translation>
+    </message>
+    <message>
+        <source>Fix to vehicle</source>
+        <translation>固定于航行器</translation>
+    </message>
+</context>
+<context>
     <name>echotrail::ConnectionPanel</name>
     <message>
         <source>no link</source>
@@ -399,6 +556,18 @@
         <source>Fan</source>
         <translation>扇面</translation>
     </message>
+    <message>
+        <source>An area needs three corners; Esc gives it up.</source>
+        <translation>区域至少需要三个角点；按 Esc 放弃。</translation>
+    </message>
+    <message>
+        <source>There are %1 areas already; delete one first.</source>
+        <translation>已有 %1 个区域；请先删除一个。</translation>
+    </message>
+    <message>
+        <source>Drawn: %1. Drag its corners; rename or delete it under Chart.</source>
+        <translation>已绘制：%1。可拖动角点；在“海图”中重命名或删除。</translation>
+    </message>
 </context>
 <context>
     <name>echotrail::HeadControls</name>
@@ -518,10 +687,6 @@
         <translation>北向上</translation>
     </message>
     <message>
-        <source>North up needs a heading</source>
-        <translation>北向上需要艏向</translation>
-    </message>
-    <message>
         <source>Echo levels</source>
         <translation>回波电平</translation>
     </message>
@@ -544,6 +709,30 @@
     <message>
         <source>Fade by age</source>
         <translation>按龄淡化</translation>
+    </message>
+    <message>
+        <source>Moving only</source>
+        <translation>仅显示运动</translation>
+    </message>
+    <message>
+        <source>Guard zones</source>
+        <translation>警戒区</translation>
+    </message>
+    <message>
+        <source>Veto areas</source>
+        <translation>屏蔽区</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Echo trails</source>
+        <translation>回波尾迹</translation>
+    </message>
+    <message>
+        <source>Course up</source>
+        <translation>航向向上</translation>
     </message>
 </context>
 <context>
@@ -1009,10 +1198,6 @@
         <translation>连接跟踪器</translation>
     </message>
     <message>
-        <source>Address, tcp://HOST:PORT</source>
-        <translation>地址，tcp://HOST:PORT</translation>
-    </message>
-    <message>
         <source>NO LINK TO THE TRACKER</source>
         <translation>与跟踪器无链路</translation>
     </message>
@@ -1023,6 +1208,209 @@
     <message>
         <source>LINK LOST: the picture is %1 old</source>
         <translation>链路中断：画面已过 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Beam to the front</source>
+        <translation>波束窗口置前(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Level over range of the beam under the cursor, with the detection threshold</source>
+        <translation>光标处波束的电平随距离变化及检测门限</translation>
+    </message>
+    <message>
+        <source>&amp;Plan to the front</source>
+        <translation>平面图置前(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Paths of the vehicle and the tracks from above, north up</source>
+        <translation>航行器与航迹的俯视路径，北向上</translation>
+    </message>
+    <message>
+        <source>&amp;Export the plan…</source>
+        <translation>导出平面图(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Write the paths as CSV, or the plan as a PNG picture</source>
+        <translation>将路径写为 CSV，或将平面图存为 PNG 图片</translation>
+    </message>
+    <message>
+        <source>Export the plan</source>
+        <translation>导出平面图</translation>
+    </message>
+    <message>
+        <source>Paths (*.csv);;Picture (*.png)</source>
+        <translation>路径 (*.csv);;图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Plan written to %1.</source>
+        <translation>平面图已写入 %1。</translation>
+    </message>
+    <message>
+        <source>The plan could not be written to %1: %2. Choose another folder.</source>
+        <translation>无法将平面图写入 %1：%2。请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>&amp;Chart</source>
+        <translation>海图(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Range and bearing from one place to another: drag, or click both</source>
+        <translation>两点间的距离与方位：拖动，或依次点击</translation>
+    </message>
+    <message>
+        <source>Mar&amp;k</source>
+        <translation>标记(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Mark the place under the cursor, else the target</source>
+        <translation>标记光标处，否则标记目标</translation>
+    </message>
+    <message>
+        <source>&amp;Guard zone…</source>
+        <translation>警戒区(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Draw a zone that confirmed tracks are told of in</source>
+        <translation>绘制一个区域，已确认航迹进入时提示</translation>
+    </message>
+    <message>
+        <source>&amp;Veto area…</source>
+        <translation>屏蔽区(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Draw an area in which guard zones stay silent; the tracker goes on in it</source>
+        <translation>绘制一个警戒区不报警的区域；跟踪照常进行</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the cursor&apos;s place</source>
+        <translation>复制光标位置(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Decimal degrees where they are known, else metres north and east</source>
+        <translation>已知时为十进制度，否则为北向和东向米数</translation>
+    </message>
+    <message>
+        <source>Put the cursor on the fan first.</source>
+        <translation>请先将光标移到扇形图上。</translation>
+    </message>
+    <message>
+        <source>Copied: %1</source>
+        <translation>已复制：%1</translation>
+    </message>
+    <message>
+        <source>Turn the fan; where an input is missing the fan says which</source>
+        <translation>旋转扇形图；缺少输入时图上会说明</translation>
+    </message>
+    <message>
+        <source>&amp;Course up</source>
+        <translation>航向向上(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt orientation</source>
+        <translation>下一个朝向(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Head up, north up, course up in turn</source>
+        <translation>依次切换船首向上、北向上、航向向上</translation>
+    </message>
+    <message>
+        <source>O&amp;ff-centre to the cursor</source>
+        <translation>偏心至光标(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Move what is under the cursor into the middle; 0 takes it back</source>
+        <translation>将光标处移到中央；按 0 复原</translation>
+    </message>
+    <message>
+        <source>Take back the last change of a parameter, a mark or an area</source>
+        <translation>撤销最近一次对参数、标记或区域的修改</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation>重做已撤销的修改</translation>
+    </message>
+    <message>
+        <source>No mark was set: nothing is open, or there are too many.</source>
+        <translation>未设置标记：没有打开数据源，或标记过多。</translation>
+    </message>
+    <message>
+        <source>Mark M%1 set; give it a text under Chart, or take it back with Ctrl+Z.</source>
+        <translation>已设置标记 M%1；可在“海图”中加注文字，或按 Ctrl+Z 撤销。</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>海图</translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation>波束</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>平面图</translation>
+    </message>
+    <message>
+        <source>Guard zones</source>
+        <translation>警戒区</translation>
+    </message>
+    <message>
+        <source>Veto areas</source>
+        <translation>屏蔽区</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Echo trails</source>
+        <translation>回波尾迹</translation>
+    </message>
+    <message>
+        <source>Moving only</source>
+        <translation>仅显示运动</translation>
+    </message>
+    <message>
+        <source>Address: tls://HOST:PORT, or tcp://127.0.0.1:PORT on this machine</source>
+        <translation>地址：tls://主机:端口，本机为 tcp://127.0.0.1:端口</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::MarkModel</name>
+    <message>
+        <source>mark M%1</source>
+        <translation>标记 M%1</translation>
+    </message>
+    <message>
+        <source>text of M%1</source>
+        <translation>M%1 的文字</translation>
+    </message>
+    <message>
+        <source>delete M%1</source>
+        <translation>删除 M%1</translation>
+    </message>
+    <message>
+        <source>%1: N %2 E %3, set in the picture of %4</source>
+        <translation>%1：北 %2 东 %3，设于 %4 的图像</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Brg</source>
+        <translation>方位</translation>
+    </message>
+    <message>
+        <source>UTC</source>
+        <translation>UTC</translation>
     </message>
 </context>
 <context>
@@ -1352,6 +1740,27 @@
     </message>
 </context>
 <context>
+    <name>echotrail::PlanView</name>
+    <message>
+        <source>Plan</source>
+        <translation>平面图</translation>
+    </message>
+    <message>
+        <source>N ↑  grid %1</source>
+        <translation>北 ↑  网格 %1</translation>
+    </message>
+    <message>
+        <source>No paths yet</source>
+        <translation>尚无路径</translation>
+    </message>
+    <message>
+        <source>No navigation: the vehicle
+is taken to lie still, bow north</source>
+        <translation>无导航：视航行器
+静止、船首朝北</translation>
+    </message>
+</context>
+<context>
     <name>echotrail::ShortcutsOverlay</name>
     <message>
         <source>play or pause</source>
@@ -1466,10 +1875,6 @@
         <translation>收藏所选参数</translation>
     </message>
     <message>
-        <source>undo a parameter; with Shift: redo</source>
-        <translation>撤销参数更改；加 Shift：重做</translation>
-    </message>
-    <message>
         <source>leave an edit or this sheet</source>
         <translation>退出编辑或关闭本页</translation>
     </message>
@@ -1484,6 +1889,38 @@
     <message>
         <source>Keys</source>
         <translation>按键</translation>
+    </message>
+    <message>
+        <source>mark the place under the cursor</source>
+        <translation>标记光标处</translation>
+    </message>
+    <message>
+        <source>draw a guard zone, a veto area</source>
+        <translation>绘制警戒区、屏蔽区</translation>
+    </message>
+    <message>
+        <source>head up, north up, course up in turn</source>
+        <translation>依次切换船首向上、北向上、航向向上</translation>
+    </message>
+    <message>
+        <source>off-centre: the cursor&apos;s place to the middle</source>
+        <translation>偏心：将光标处移到中央</translation>
+    </message>
+    <message>
+        <source>copy the cursor&apos;s place</source>
+        <translation>复制光标位置</translation>
+    </message>
+    <message>
+        <source>beam, plan to the front and back</source>
+        <translation>波束、平面图置前与还原</translation>
+    </message>
+    <message>
+        <source>export the plan as CSV or PNG</source>
+        <translation>将平面图导出为 CSV 或 PNG</translation>
+    </message>
+    <message>
+        <source>undo a parameter, mark or area; with Shift: redo</source>
+        <translation>撤销参数、标记或区域；加 Shift：重做</translation>
     </message>
 </context>
 <context>

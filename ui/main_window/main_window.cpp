@@ -1,18 +1,23 @@
 #include "ui/main_window/main_window.hpp"
 
 #include "ui/alerts/alert_centre.hpp"
+#include "ui/chart/guard_watch.hpp"
 #include "ui/main_window/dock_title.hpp"
 #include "ui/main_window/message_strip.hpp"
 #include "ui/main_window/recent_recordings.hpp"
 #include "ui/main_window/shortcuts_overlay.hpp"
 #include "ui/main_window/start_page.hpp"
 #include "ui/main_window/status_bar.hpp"
+#include "ui/panels/beam/beam_panel.hpp"
+#include "ui/panels/chart/chart_panel.hpp"
 #include "ui/panels/layers/layers_panel.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
+#include "ui/panels/plan/plan_view.hpp"
 #include "ui/panels/tracks/tracks_panel.hpp"
 #include "ui/panels/transport/timeline_view.hpp"
 #include "ui/panels/transport/transport_panel.hpp"
 #include "ui/style/formatter.hpp"
+#include "ui/style/upright_scroll.hpp"
 #include "ui/views/fan_view.hpp"
 
 #include <QApplication>
@@ -71,6 +76,7 @@ void MainWindow::makeCentre() {
     centre_ = new QStackedWidget(middle);
     start_ = new StartPage(centre_);
     fan_ = new FanView(centre_);
+    makeChart();
     centre_->addWidget(start_);
     centre_->addWidget(fan_);
     auto* column = new QVBoxLayout(middle);
@@ -105,7 +111,8 @@ void MainWindow::makeDocks() {
     parameters_ = new ParameterPanel(bridge_, this);
     if (options_.remember) parameters_->rememberFavourites();
     transport_ = new TransportPanel(bridge_, this);
-    layers_dock_ = makeDock("layers", layers_, this);
+    // A low window must not be made higher by its layers.
+    layers_dock_ = makeDock("layers", new UprightScroll(layers_, this), this);
     tracks_dock_ = makeDock("tracks", tracks_, this);
     parameters_dock_ = makeDock("parameters", parameters_, this);
     time_line_dock_ = makeDock("time_line", transport_, this);
@@ -117,6 +124,8 @@ void MainWindow::makeDocks() {
     addDockWidget(Qt::BottomDockWidgetArea, time_line_dock_);
     makeConnectionDock();
     makeAlerts();
+    makeChartDock();
+    makeBeamAndPlan();
     shareOut();
     connect(tracks_, &TracksPanel::trackSelected, fan_, &FanView::setSelectedTrack);
     connect(fan_, &FanView::trackSelected, tracks_, &TracksPanel::selectTrack);
@@ -201,6 +210,9 @@ void MainWindow::connectBridge() {
         foot_->setToolTip({});
         setWindowTitle(tr("Echotrail"));
         fan_->setScene(nullptr);
+        beam_->setScene(nullptr);
+        plan_->setScene(nullptr);
+        openChart();
         onStatus({});
         showStart(true);
     });
@@ -231,6 +243,7 @@ void MainWindow::onOpened() {
     setWindowTitle(QString::fromStdString(info.name) + tr(" — Echotrail"));
     fan_->setScene(nullptr);  // what was open before
     recording_failure_told_ = false;
+    openChart();
     if (!bridge_.isLive()) status_->showSource(info);
     (bridge_.isLive() ? connection_dock_ : layers_dock_)->raise();
     setSummary(time_line_dock_, QString::fromStdString(info.name));
@@ -252,6 +265,8 @@ void MainWindow::onOpened() {
 
 void MainWindow::onScene(const std::shared_ptr<const Scene>& scene) {
     fan_->setScene(scene);
+    guards_->setScene(*scene);
+    beam_->setScene(scene);
     const bool rests = bridge_.status().state != ReplayState::Playing;
     if (!rests && readouts_.isValid() && readouts_.elapsed() < readout_interval_ms) return;
     readouts_.start();
@@ -260,6 +275,8 @@ void MainWindow::onScene(const std::shared_ptr<const Scene>& scene) {
     tracks_->setScene(*scene);
     layers_->setScene(*scene);
     alerts_->showScene(*scene, bridge_.isLive());
+    chart_->setScene(*scene);
+    plan_->setScene(scene);
 }
 
 void MainWindow::onStatus(const ReplayStatus& status) {

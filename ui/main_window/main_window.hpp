@@ -1,11 +1,14 @@
 #pragma once
 
+#include "core/data/area.hpp"
 #include "ui/bridge/pipeline_bridge.hpp"
 #include "ui/language/language.hpp"
 #include "ui/style/palette.hpp"
 
 #include <QElapsedTimer>
 #include <QMainWindow>
+#include <QUndoGroup>
+#include <QUndoStack>
 
 class QAction;
 class QLabel;
@@ -15,12 +18,18 @@ namespace echotrail {
 
 class AlertCentre;
 class AlertsPanel;
+class AreaModel;
+class BeamPanel;
+class ChartPanel;
 class ConnectionPanel;
 struct CommandedSector;
 class FanView;
+class GuardWatch;
 class LayersPanel;
+class MarkModel;
 class MessageStrip;
 class ParameterPanel;
+class PlanView;
 class ShortcutsOverlay;
 class StaleBanner;
 class StartPage;
@@ -51,6 +60,10 @@ public:
     StaleBanner& stale() { return *stale_; }
     ConnectionPanel& connection() { return *connection_; }
     AlertCentre& alerts() { return *alerts_; }
+    MarkModel& marks() { return *marks_; }
+    AreaModel& areas() { return *areas_; }
+    /// Tells of confirmed tracks in guard zones.
+    GuardWatch& guards() { return *guards_; }
 
     void openRecording(const QString& path);
     void openDemonstration();
@@ -97,6 +110,20 @@ private:
     void makeAlertsMenu();
     void showAlerts();
     void makeTrackMenu();
+    void makeChart();
+    void makeChartDock();
+    void makeChartMenu();
+    void makeBeamAndPlan();
+    void addDockKeys(QMenu& menu);
+    QList<QDockWidget*> docks() const;
+    void exportPlan();
+    void makeOrientationMenu(QMenu& menu);
+    void addUndo(QMenu& menu);
+    void setMark();
+    void drawArea(Area::Kind kind);
+    QString chartSource() const;
+    void openChart();
+    void keepChart();
     void makeRecordingMenu();
     void makeParametersMenu();
     void makeWindowMenu();
@@ -148,6 +175,18 @@ private:
     StatusBar* status_ = nullptr;
     ShortcutsOverlay* shortcuts_ = nullptr;
     ConnectionPanel* connection_ = nullptr;
+    QUndoStack chart_undo_;
+    QUndoGroup undo_;
+    MarkModel* marks_ = nullptr;
+    AreaModel* areas_ = nullptr;
+    GuardWatch* guards_ = nullptr;
+    ChartPanel* chart_ = nullptr;
+    bool opening_chart_ = false;  ///< it is being shown, not drawn
+    QDockWidget* chart_dock_ = nullptr;
+    BeamPanel* beam_ = nullptr;
+    PlanView* plan_ = nullptr;
+    QDockWidget* beam_dock_ = nullptr;
+    QDockWidget* plan_dock_ = nullptr;
     LayersPanel* layers_ = nullptr;
     TracksPanel* tracks_ = nullptr;
     ParameterPanel* parameters_ = nullptr;

@@ -1,4 +1,5 @@
 #include "ui/alerts/alert_centre.hpp"
+#include "ui/chart/guard_watch.hpp"
 #include "ui/main_window/dock_title.hpp"
 #include "ui/main_window/main_window.hpp"
 #include "ui/main_window/status_bar.hpp"
@@ -32,6 +33,7 @@ void MainWindow::makeAlerts() {
     connect(&bridge_, &PipelineBridge::liveChanged, alerts_, [this](const LiveState& state) {
         alerts_->showLive(state, bridge_.params().navigation.longest_navigation_gap_s);
     });
+    connect(guards_, &GuardWatch::guardZoneEntered, alerts_, &AlertCentre::guardZoneEntered);
     const bool steady = options_.remember && QSettings().value(steady_setting).toBool();
     alerts_->setSteady(options_.steady_alerts || steady);
 }

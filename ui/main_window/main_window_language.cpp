@@ -2,6 +2,7 @@
 #include "ui/main_window/shortcuts_overlay.hpp"
 #include "ui/main_window/status_bar.hpp"
 #include "ui/panels/layers/layers_panel.hpp"
+#include "ui/style/upright_scroll.hpp"
 
 #include <QAction>
 #include <QActionGroup>
@@ -59,8 +60,9 @@ void MainWindow::retranslate() {
     status_->nameChips();
     status_->showTheme(themeTitle(theme_));
     shortcuts_->update();
-    delete layers_;  // it mirrors the fan, and keeps nothing
-    layers_dock_->setWidget(layers_ = new LayersPanel(*fan_, this));
+    delete layers_dock_->widget();  // the layers mirror the fan, and keep nothing
+    layers_ = new LayersPanel(*fan_, this);
+    layers_dock_->setWidget(new UprightScroll(layers_, this));
     if (bridge_.scene()) layers_->setScene(*bridge_.scene());
     onStatus(bridge_.status());
     showTracker(bridge_.liveState());
@@ -72,6 +74,9 @@ void MainWindow::nameDocks() {
     layers_dock_->setWindowTitle(tr("Layers"));
     tracks_dock_->setWindowTitle(tr("Tracks"));
     parameters_dock_->setWindowTitle(tr("Parameters"));
+    chart_dock_->setWindowTitle(tr("Chart"));
+    beam_dock_->setWindowTitle(tr("Beam"));
+    plan_dock_->setWindowTitle(tr("Plan"));
     alerts_dock_->setWindowTitle(tr("Alerts"));
     time_line_dock_->setWindowTitle(tr("Time line"));
     keys_->setText(tr("Space play   ← → 5 s   Shift one sweep   Ctrl one ping   , . speed   ? shortcuts"));

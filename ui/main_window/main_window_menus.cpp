@@ -10,7 +10,6 @@
 #include "ui/views/fan_view.hpp"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QDateTime>
 #include <QDir>
@@ -31,6 +30,7 @@ void MainWindow::makeMenus() {
     makeFileMenu();
     makeViewMenu();
     makeSonarMenu();
+    makeChartMenu();
     makeTrackMenu();
     makeAlertsMenu();
     makeRecordingMenu();
@@ -76,21 +76,11 @@ void MainWindow::makeViewMenu() {
     makeLanguageMenu(*menu.addMenu(tr("Lan&guage")));
     menu.addSeparator();
     makeLayersMenu(*menu.addMenu(tr("&Layers")));
-    auto* orientation = new QActionGroup(&menu);
-    const auto orient = [&](const QString& title, Orientation which) {
-        auto* action = addAction(menu, title, {}, [this, which] { fan_->setOrientation(which); });
-        action->setActionGroup(orientation);
-        followFan(*action, [which](const FanView& fan) { return fan.orientation() == which; });
-    };
-    orient(tr("&Head up"), Orientation::HeadUp);
-    orient(tr("North &up"), Orientation::NorthUp);
+    makeOrientationMenu(menu);
     menu.addSeparator();
     auto* follow =
         addAction(menu, tr("F&ollow the vehicle"), QKeySequence("F2"), [this] { fan_->setFollow(!fan_->follows()); });
     followFan(*follow, [](const FanView& fan) { return fan.follows(); });
-    auto* measure =
-        addAction(menu, tr("&Measure"), QKeySequence("F4"), [this] { fan_->setMeasuring(!fan_->measures()); });
-    followFan(*measure, [](const FanView& fan) { return fan.measures(); });
     addAction(menu, tr("Fit the &picture"), QKeySequence("0"), [this] { fan_->resetView(); });
     menu.addSeparator();
     addAction(menu, tr("&Full screen"), QKeySequence("F11"),
@@ -108,6 +98,11 @@ void MainWindow::makeLayersMenu(QMenu& menu) {
         {tr("Ellipses"), &Layers::ellipses},
         {tr("History, prediction"), &Layers::history},
         {tr("Region of interest"), &Layers::region_of_interest},
+        {tr("Guard zones"), &Layers::guard_zones},
+        {tr("Veto areas"), &Layers::vetoes},
+        {tr("Marks"), &Layers::marks},
+        {tr("Echo trails"), &Layers::trails},
+        {tr("Moving only"), &Layers::moving},
         {tr("Rings and bearings"), &Layers::graticule},
         {tr("Target ×4"), &Layers::inset},
     };
@@ -168,19 +163,13 @@ void MainWindow::makeRecordingMenu() {
 void MainWindow::makeParametersMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Parameters"));
     ParameterForm& form = parameters_->form();
-    QUndoStack& stack = parameters_->model().undoStack();
     addAction(menu, tr("&Find…"), QKeySequence("Ctrl+F"), [this, &form] {
         parameters_dock_->show();
         parameters_dock_->raise();
         form.focusSearch();
     });
     menu.addSeparator();
-    auto* undo = addAction(menu, tr("&Undo"), QKeySequence("Ctrl+Z"), [&stack] { stack.undo(); });
-    auto* redo = addAction(menu, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), [&stack] { stack.redo(); });
-    undo->setEnabled(stack.canUndo());
-    redo->setEnabled(stack.canRedo());
-    connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
-    connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+    addUndo(menu);
     menu.addSeparator();
     addAction(menu, tr("Star the selected &one"), QKeySequence("Ctrl+B"), [&form] {
         form.toggleFavourite();
@@ -194,9 +183,8 @@ void MainWindow::makeParametersMenu() {
 
 void MainWindow::makeWindowMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Window"));
-    for (QDockWidget* dock :
-         {connection_dock_, layers_dock_, tracks_dock_, alerts_dock_, parameters_dock_, time_line_dock_})
-        menu.QWidget::addAction(dock->toggleViewAction());
+    for (QDockWidget* dock : docks()) menu.QWidget::addAction(dock->toggleViewAction());
+    addDockKeys(menu);
     menu.addSeparator();
     addAction(menu, tr("&Reset layout"), {}, [this] { resetLayout(); });
 }
@@ -253,9 +241,7 @@ void MainWindow::nextTheme() {
 
 void MainWindow::resetLayout() {
     restoreState(first_layout_, layout_version);
-    for (QDockWidget* dock :
-         {connection_dock_, layers_dock_, tracks_dock_, alerts_dock_, parameters_dock_, time_line_dock_})
-        dock->show();
+    for (QDockWidget* dock : docks()) dock->show();
     shareOut();
 }
 

@@ -11,7 +11,7 @@
 namespace echotrail {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 31> keys{{
+constexpr std::array<std::pair<const char*, const char*>, 38> keys{{
     {"Space", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "play or pause")},
     {"← →", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "5 s back or on")},
     {"Shift ← →", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "one sweep back or on")},
@@ -28,7 +28,14 @@ constexpr std::array<std::pair<const char*, const char*>, 31> keys{{
     {"Shift A", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "silence alerts for 30 s")},
     {"+ − wheel", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "zoom the fan; 0 fits it again")},
     {"F2", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "follow the vehicle")},
-    {"F4", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "measure between two places")},
+    {"M F4", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "measure between two places")},
+    {"K", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "mark the place under the cursor")},
+    {"G V", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "draw a guard zone, a veto area")},
+    {"N", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "head up, north up, course up in turn")},
+    {"O", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "off-centre: the cursor's place to the middle")},
+    {"Ctrl Shift C", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "copy the cursor's place")},
+    {"B P", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "beam, plan to the front and back")},
+    {"Ctrl E", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "export the plan as CSV or PNG")},
     {"F5", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "day, dusk, night")},
     {"F11", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "full screen")},
     {"S", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "picture of the window")},
@@ -40,7 +47,7 @@ constexpr std::array<std::pair<const char*, const char*>, 31> keys{{
     {"Ctrl D", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "demonstration")},
     {"Ctrl F", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "find a parameter")},
     {"Ctrl B", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "star the selected parameter")},
-    {"Ctrl Z", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "undo a parameter; with Shift: redo")},
+    {"Ctrl Z", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "undo a parameter, mark or area; with Shift: redo")},
     {"Esc", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "leave an edit or this sheet")},
     {"?", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "this sheet")},
 }};
@@ -88,19 +95,24 @@ void ShortcutsOverlay::paintEvent(QPaintEvent*) {
     const int line = fontMetrics().height();
     const int row = line * 3 / 2;
     const int key_width = line * 7;
-    QRect sheet(0, 0, line * 28, row * (static_cast<int>(keys.size()) + 2));
+    const int count = static_cast<int>(keys.size());
+    const int columns = row * (count + 2) > height() ? 2 : 1;
+    const int rows = (count + columns - 1) / columns;
+    const int column_width = line * 28;
+    QRect sheet(0, 0, column_width * columns, row * (rows + 2));
     sheet.moveCenter(rect().center());
     painter.fillRect(sheet, colours.panel);
     painter.setPen(colours.strong_line);
     painter.drawRect(sheet);
     QFont strong = font();
     strong.setWeight(QFont::DemiBold);
-    QRect at(sheet.left() + line, sheet.top() + line / 2, sheet.width() - 2 * line, row);
+    const QRect first(sheet.left() + line, sheet.top() + line / 2, column_width - 2 * line, row);
     painter.setFont(strong);
     painter.setPen(colours.text);
-    painter.drawText(at, Qt::AlignVCenter, tr("Keys"));
-    for (const auto& [key, meaning] : keys) {
-        at.translate(0, row);
+    painter.drawText(first, Qt::AlignVCenter, tr("Keys"));
+    for (int i = 0; i < count; ++i) {
+        const auto& [key, meaning] = keys[static_cast<std::size_t>(i)];
+        const QRect at = first.translated(i / rows * column_width, (i % rows + 1) * row);
         painter.setFont(strong);
         painter.setPen(colours.text);
         painter.drawText(at, Qt::AlignVCenter, QString::fromUtf8(key));

@@ -17,7 +17,31 @@ QString grouped(QString digits) {
     return digits;
 }
 
+/// Degrees of `digits` figures and minutes of four decimals, then the letter of its half of the earth.
+QString degreesAndMinutes(double radians, int digits, char positive, char negative) {
+    if (!std::isfinite(radians)) return Formatter::unknown();
+    constexpr std::int64_t parts = 60 * 10'000;  // of a degree
+    const std::int64_t all = std::llround(std::abs(degreesFromRadians(radians)) * static_cast<double>(parts));
+    const std::int64_t rest = all % parts;
+    return QString("%1%2%3.%4%5 %6")
+        .arg(all / parts, digits, 10, QChar('0'))
+        .arg(QChar(0xb0))
+        .arg(rest / 10'000, 2, 10, QChar('0'))
+        .arg(rest % 10'000, 4, 10, QChar('0'))
+        .arg(QChar(0x2032))
+        .arg(QChar(radians < 0.0 ? negative : positive));
+}
+
 }  // namespace
+
+QString Formatter::signedNumber(double value, int decimals) {
+    const QString digits = number(value, decimals);
+    return std::isfinite(value) && !digits.startsWith(minus) ? '+' + digits : digits;
+}
+
+QString Formatter::latitude(double radians) { return degreesAndMinutes(radians, 2, 'N', 'S'); }
+
+QString Formatter::longitude(double radians) { return degreesAndMinutes(radians, 3, 'E', 'W'); }
 
 QString Formatter::unknown() { return QString(QChar(0x2014)); }
 

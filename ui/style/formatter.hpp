@@ -15,6 +15,11 @@ public:
     static QString unknown();
     /// "−1 184.25"
     static QString number(double value, int decimals);
+    /// "+14.5", "−27.6"
+    static QString signedNumber(double value, int decimals);
+    /// "54°21.4183′ N", "010°09.7712′ E": WGS-84.
+    static QString latitude(double radians);
+    static QString longitude(double radians);
     /// "12.5 dB"; the unit is left out where the value is unknown.
     static QString withUnit(double value, int decimals, const QString& unit);
     /// "12 480"

@@ -64,12 +64,12 @@ std::optional<double> secondsToNextLook(const Scene& scene, Bearing from_bow) {
     const double beam = clockwise(sector.left, scene.latest.beam);
     const double target = clockwise(sector.left, from_bow);
     if (sector.isFullCircle()) {
-        const double turn = scene.ping.clockwise ? target - beam : beam - target;
+        const double turn = scene.turns_clockwise ? target - beam : beam - target;
         return (turn < 0.0 ? turn + full_circle_rad : turn) * seconds_per_rad;
     }
-    const double ahead = scene.ping.clockwise ? target - beam : beam - target;
+    const double ahead = scene.turns_clockwise ? target - beam : beam - target;
     if (ahead >= 0.0) return ahead * seconds_per_rad;
-    const double edge = scene.ping.clockwise ? sector.width_rad - beam : beam;
+    const double edge = scene.turns_clockwise ? sector.width_rad - beam : beam;
     return (2.0 * std::max(edge, 0.0) - ahead) * seconds_per_rad;
 }
 

@@ -10,13 +10,15 @@
 namespace echotrail {
 namespace {
 
+constexpr double brightest_trail = 0.65;  ///< of the tracks' colour
+
 /// From device pixels of the picture to columns and rows of the fan, as cv::warpAffine takes it.
-cv::Matx23d screenToFan(const FanImage& fan, const FanGeometry& geometry, const QRect& box, double ratio) {
+cv::Matx23d screenToFan(const auto& fan, const FanGeometry& geometry, const QRect& box, double ratio) {
     const auto fanPoint = [&](double x, double y) {
         // The middle of device pixel (x, y) is half a pixel further on.
         const QPointF logical(box.x() + (x + 0.5) / ratio, box.y() + (y + 0.5) / ratio);
         const Eigen::Vector2d place = geometry.toLocal(logical);
-        return cv::Point2d(fan.columnOf(place.y()), fan.rowOf(place.x()));
+        return cv::Point2d((place.y() - fan.east_m) / fan.pixel_m, (fan.north_m - place.x()) / fan.pixel_m);
     };
     const cv::Point2d origin = fanPoint(0, 0);
     const cv::Point2d along_x = fanPoint(1, 0) - origin;
@@ -65,10 +67,31 @@ void EchoPainter::colour(const BeamAges& ages) {
     }
 }
 
+/// The brighter of echo and trail, channel by channel: an echo is never dimmed by what was there before it.
+void EchoPainter::addTrails(const RememberedEchoes& trails, const BeamAges& ages, const FanGeometry& geometry,
+                            const QRect& box, double device_pixel_ratio) {
+    const cv::Matx23d map = screenToFan(trails, geometry, box, device_pixel_ratio);
+    cv::warpAffine(trails.trail_time_ms, times_, map, levels_.size(), cv::INTER_NEAREST | cv::WARP_INVERSE_MAP,
+                   cv::BORDER_CONSTANT, cv::Scalar(FanImage::never_scanned));
+    const QColor& full = paletteOf(table_theme_).track;
+    for (int y = 0; y < times_.rows; ++y) {
+        const auto* time = times_.ptr<std::int32_t>(y);
+        auto* pixel = reinterpret_cast<QRgb*>(image_.scanLine(y));
+        for (int x = 0; x < times_.cols; ++x) {
+            if (time[x] == FanImage::never_scanned) continue;
+            const double age_s = (ages.newest_ms - time[x]) / 1000.0;
+            const double light = brightest_trail * std::clamp(1.0 - age_s / trail_s, 0.0, 1.0);
+            const auto lit = [&](int echo, int trail) { return std::max(echo, static_cast<int>(light * trail)); };
+            pixel[x] = qRgb(lit(qRed(pixel[x]), full.red()), lit(qGreen(pixel[x]), full.green()),
+                            lit(qBlue(pixel[x]), full.blue()));
+        }
+    }
+}
+
 const QImage& EchoPainter::image(const FanImage& fan, std::uint64_t serial, const BeamAges& ages,
                                  const FanGeometry& geometry, const EchoSettings& settings, Theme theme,
-                                 const QRect& box, double device_pixel_ratio) {
-    Key key{serial, geometry, settings, theme, box, device_pixel_ratio};
+                                 const QRect& box, double device_pixel_ratio, const RememberedEchoes* trails) {
+    Key key{serial, geometry, settings, theme, box, device_pixel_ratio, trails != nullptr};
     if (!image_.isNull() && key == key_) return image_;
     key_ = std::move(key);
     makeColours(settings, theme);
@@ -86,6 +109,7 @@ const QImage& EchoPainter::image(const FanImage& fan, std::uint64_t serial, cons
     cv::warpAffine(fan.beam_time_ms, times_, map, cv_size, cv::INTER_NEAREST | cv::WARP_INVERSE_MAP,
                    cv::BORDER_CONSTANT, cv::Scalar(FanImage::never_scanned));
     colour(ages);
+    if (trails) addTrails(*trails, ages, geometry, box, device_pixel_ratio);
     return image_;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/data/fan_image.hpp"
+#include "core/imaging/echo_memory.hpp"
 #include "ui/style/palette.hpp"
 #include "ui/views/beam_schedule.hpp"
+#include "ui/views/fan_settings.hpp"
 
 #include <QImage>
 #include <array>
@@ -14,9 +16,11 @@ namespace echotrail {
 class EchoPainter {
 public:
     /// An opaque picture of `box` (logical pixels); what was never scanned has the canvas' colour. Kept until an
-    /// argument changes; `serial` names the fan's content.
+    /// argument changes; `serial` names the fan's content
+    /// and that of `trails`, which shine through where the echoes are darker; null: none.
     const QImage& image(const FanImage& fan, std::uint64_t serial, const BeamAges& ages, const FanGeometry& geometry,
-                        const EchoSettings& settings, Theme theme, const QRect& box, double device_pixel_ratio);
+                        const EchoSettings& settings, Theme theme, const QRect& box, double device_pixel_ratio,
+                        const RememberedEchoes* trails = nullptr);
 
 private:
     struct Key {
@@ -26,12 +30,15 @@ private:
         Theme theme = Theme::Dusk;
         QRect box;
         double device_pixel_ratio = 0.0;
+        bool trails = false;
         bool operator==(const Key&) const = default;
     };
     static constexpr int fade_steps = 32;
 
     void makeColours(const EchoSettings& settings, Theme theme);
     void colour(const BeamAges& ages);
+    void addTrails(const RememberedEchoes& trails, const BeamAges& ages, const FanGeometry& geometry, const QRect& box,
+                   double device_pixel_ratio);
 
     Key key_;
     EchoSettings table_settings_;

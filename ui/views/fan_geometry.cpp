@@ -78,13 +78,12 @@ FanGeometry FanGeometry::magnified(const Eigen::Vector2d& place, double times, c
     return larger;
 }
 
-FanGeometry fitted(const Pose& head, Orientation orientation, const Sector& sector, const QRectF& box,
-                   const QMarginsF& margins) {
+FanGeometry fitted(const Pose& head, Bearing up, const Sector& sector, const QRectF& box, const QMarginsF& margins) {
     FanGeometry geometry;
     geometry.north_m = head.north_m;
     geometry.east_m = head.east_m;
     geometry.heading = head.heading;
-    geometry.up = orientation == Orientation::HeadUp ? head.heading : Bearing();
+    geometry.up = up;
     geometry.sector = sector;
     const QRectF unit = unitBox(geometry.screenAngle(sector.left), sector.width_rad);
     const QRectF room = box.marginsRemoved(margins);

@@ -2,7 +2,6 @@
 
 #include "core/base/angles.hpp"
 #include "core/data/pose.hpp"
-#include "ui/views/fan_settings.hpp"
 
 #include <Eigen/Core>
 
@@ -53,8 +52,7 @@ struct FanGeometry {
     bool operator==(const FanGeometry&) const = default;
 };
 
-/// The geometry that shows the whole sector as large as `box` less `margins` allows.
-FanGeometry fitted(const Pose& head, Orientation orientation, const Sector& sector, const QRectF& box,
-                   const QMarginsF& margins);
+/// The geometry with `up` (from north) on top that shows the whole sector as large as `box` less `margins` allows.
+FanGeometry fitted(const Pose& head, Bearing up, const Sector& sector, const QRectF& box, const QMarginsF& margins);
 
 }  // namespace echotrail

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/runtime/scene.hpp"
+#include "ui/chart/mark.hpp"
 #include "ui/views/beam_schedule.hpp"
+#include "ui/views/chart_painter.hpp"
 #include "ui/views/echo_painter.hpp"
+#include "ui/views/fan_settings.hpp"
 #include "ui/views/graticule_painter.hpp"
 #include "ui/views/sector_handles.hpp"
 
@@ -12,12 +15,6 @@
 #include <optional>
 
 namespace echotrail {
-
-/// Two places on the ground between which range and bearing are measured.
-struct Measurement {
-    Eigen::Vector2d from{0, 0};
-    Eigen::Vector2d to{0, 0};
-};
 
 /// What the picture shows beside the scene.
 struct FanMoment {
@@ -29,13 +26,22 @@ struct FanMoment {
     EchoSettings echo;
     Orientation orientation = Orientation::HeadUp;
     bool follow = true;
+    bool off_centre = false;
     double zoom = 1.0;
     int selected_track = 0;
     std::optional<QPointF> cursor;
     bool measuring = false;
     std::optional<Measurement> measurement;
     const SectorHandles* sector = nullptr;
+    const FanImage* moving = nullptr;  ///< the fan without its background; null unless asked for
+    const QList<Mark>* marks = nullptr;
+    const QList<Area>* areas = nullptr;
+    std::optional<AreaDraft> draft;
 };
+
+/// The picture that is shown, and how its levels become colours.
+const FanImage& shownFan(const FanMoment& moment);
+EchoSettings shownEcho(const FanMoment& moment);
 
 /// Paints the whole fan, back to front, and keeps what need not be painted anew.
 class FanPicture {

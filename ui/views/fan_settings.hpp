@@ -15,6 +15,11 @@ struct Layers {
     bool ellipses = true;
     bool history = true;  ///< where it was and where it is expected
     bool region_of_interest = true;
+    bool guard_zones = true;
+    bool vetoes = true;
+    bool marks = true;
+    bool trails = false;  ///< where something moved during the last minute
+    bool moving = false;  ///< without what earlier sweeps show at the same place, instead of the plain picture
     bool graticule = true;
     bool inset = true;  ///< the target four times as large
     bool operator==(const Layers&) const = default;
@@ -30,7 +35,8 @@ struct EchoSettings {
 };
 
 inline constexpr double most_fade = 0.38;
+inline constexpr double trail_s = 60.0;  ///< after so long a trail has faded away
 
-enum class Orientation { HeadUp, NorthUp };
+enum class Orientation { HeadUp, NorthUp, CourseUp };
 
 }  // namespace echotrail

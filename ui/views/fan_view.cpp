@@ -1,6 +1,9 @@
 #include "ui/views/fan_view.hpp"
 
+#include "ui/chart/area_model.hpp"
+#include "ui/chart/mark_model.hpp"
 #include "ui/style/ui_metrics.hpp"
+#include "ui/views/orientation.hpp"
 #include "ui/views/symbol_painter.hpp"
 #include "ui/views/track_painter.hpp"
 
@@ -46,6 +49,15 @@ void FanView::setScene(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
     ++serial_;
     ages_ = scene_ ? beamAges(*scene_, sectorOf(*scene_)) : BeamAges{};
+    refreshMoving();
+    if (!scene_) {  // what the hand holds was on ground that is gone
+        draft_.reset();
+        held_corner_.reset();
+        measurement_.reset();
+        measurement_open_ = false;
+        measure_pressed_.reset();
+        if (areas_) shown_areas_ = areas_->areas();
+    }
     update();
 }
 
@@ -57,6 +69,7 @@ void FanView::announce() {
 void FanView::setLayers(const Layers& layers) {
     if (layers == layers_) return;
     layers_ = layers;
+    refreshMoving();
     announce();
 }
 
@@ -88,6 +101,7 @@ void FanView::setMeasuring(bool on) {
     measuring_ = on;
     measurement_.reset();
     measurement_open_ = false;
+    measure_pressed_.reset();
     announce();
 }
 
@@ -106,8 +120,8 @@ void FanView::setSelectedTrack(int id) {
 
 FanGeometry FanView::fittedGeometry() const {
     if (!scene_) return {};
-    FanGeometry fit =
-        fitted(scene_->latest.pose, orientation_, sectorToFit(*scene_), rect(), sectorMargins(UiMetrics(font())));
+    FanGeometry fit = fitted(scene_->latest.pose, upOf(*scene_, orientation_), sectorToFit(*scene_), rect(),
+                             sectorMargins(UiMetrics(font())));
     fit.sector = sectorOf(*scene_);
     return fit;
 }
@@ -137,6 +151,11 @@ FanMoment FanView::moment() const {
     moment.measuring = measuring_;
     moment.measurement = measurement_;
     moment.sector = &sector_;
+    moment.off_centre = isOffCentre();
+    if (layers_.moving && scene_) moment.moving = &moving_;
+    if (marks_) moment.marks = &marks_->marks();
+    moment.areas = &shown_areas_;
+    moment.draft = draft_;
     return moment;
 }
 
@@ -173,7 +192,7 @@ void FanView::wheelEvent(QWheelEvent* event) {
 void FanView::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::MiddleButton) return resetView();
     if (event->button() != Qt::LeftButton) return QWidget::mousePressEvent(event);
-    if (grabSector(event->position())) return;
+    if (grabSector(event->position()) || pressChart(event->position())) return;
     pressed_ = event->position();
     dragged_from_ = pan_;
     dragging_ = false;
@@ -188,47 +207,36 @@ void FanView::mouseMoveEvent(QMouseEvent* event) {
         if (way.manhattanLength() >= QApplication::startDragDistance()) dragging_ = true;
         if (dragging_) pan_ = dragged_from_ + way;
     }
-    if (measurement_open_) measurement_->to = geometry().toLocal(event->position());
+    moveChart(event->position());
     update();
+    Q_EMIT cursorMoved();
 }
 
 void FanView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && sector_.isDragged()) return finishSector();
+    if (event->button() == Qt::LeftButton && releaseChart(event->position())) return;
     if (event->button() != Qt::LeftButton || !pressed_) return QWidget::mouseReleaseEvent(event);
     pressed_.reset();
     if (dragging_ || !scene_ || scene_->position == 0) return;
-    if (measuring_)
-        measureAt(event->position());
-    else
-        pointAt(event->position(), event->modifiers().testFlag(Qt::ControlModifier));
+    if (!clickChart(event->position())) pointAt(event->position(), event->modifiers().testFlag(Qt::ControlModifier));
 }
 
 void FanView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (draft_ && event->button() == Qt::LeftButton) return finishDraft();
     const FanGeometry view = geometry();
     if (event->button() == Qt::LeftButton && view.rangeOf(event->position()) > view.sector.range_m) resetView();
 }
 
 void FanView::keyPressEvent(QKeyEvent* event) {
     if (sector_.isHeld() && sectorKey(*event)) return;
-    if (event->key() == Qt::Key_Escape && measuring_) return setMeasuring(false);
+    if (chartKey(*event)) return;
     QWidget::keyPressEvent(event);
 }
 
 void FanView::leaveEvent(QEvent*) {
     cursor_.reset();
     update();
-}
-
-void FanView::measureAt(QPointF place) {
-    const Eigen::Vector2d ground = geometry().toLocal(place);
-    if (measurement_open_) {
-        measurement_->to = ground;
-        measurement_open_ = false;
-    } else {
-        measurement_ = Measurement{ground, ground};
-        measurement_open_ = true;
-    }
-    update();
+    Q_EMIT cursorMoved();
 }
 
 int FanView::trackAt(QPointF place) const {

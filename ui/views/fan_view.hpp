@@ -9,6 +9,9 @@
 
 namespace echotrail {
 
+class AreaModel;
+class MarkModel;
+
 /// The sonar's picture from above, with what the tracker makes of it; needs no OpenGL.
 ///
 /// Hands: a left click (pressed and let go at one place) on something within range designates it: the nearest track,
@@ -16,7 +19,9 @@ namespace echotrail {
 /// because nothing is lost by it: every track lives on, and clearing the designation takes it back. A drag moves the
 /// picture and never designates; nor does a click while measuring, beyond the range or where the sonar
 /// has not looked. The wheel zooms about the cursor; the middle button or a double click beyond the range fit the
-/// picture again. Esc puts the measure away.
+/// picture again. While measuring, a drag or two clicks lay the measure, and its ends can be dragged on; Esc puts it
+/// away. While an area is drawn, clicks are its corners; a double click, Enter or a click on the first one closes it,
+/// Backspace takes the last one back, Esc gives up. Corners of areas can be dragged at any time.
 /// Where a head is polled, handles stand at the edges of its sector: a drag moves an edge, and what it comes to is
 /// commanded when it is let go; Esc gives up. The same by keys after editSector(): arrows move the edge by a step, with
 /// Shift by ten, Tab takes the other one, Enter commands.
@@ -40,6 +45,21 @@ public:
     void setFollow(bool on);
     bool measures() const { return measuring_; }
     void setMeasuring(bool on);
+    /// What the operator lays on the sea is kept there; they must outlive the view.
+    void setChart(MarkModel& marks, AreaModel& areas);
+    /// The ground under the cursor, north and east; none while it is elsewhere.
+    std::optional<Eigen::Vector2d> cursorPlace() const;
+    /// The cursor's place for a clipboard: decimal degrees where they are known, else metres; empty without a cursor.
+    QString cursorText() const;
+    /// A mark under the cursor, else on the target or the selected track, else where the vehicle is. Its number, or 0
+    /// where none could be set.
+    int setMark();
+    /// The next clicks are the corners of an area.
+    void drawArea(Area::Kind kind);
+    bool drawsArea() const { return draft_.has_value(); }
+    /// Moves what is under the cursor into the middle.
+    void centreOnCursor();
+    bool isOffCentre() const { return !pan_.isNull(); }
     /// What the head is told to scan, and whether it says that it does so; none takes the handles away.
     void setSector(const std::optional<CommandedSector>& commanded, bool confirmed);
     /// Moves the sector's edges by keys from now on.
@@ -60,6 +80,9 @@ Q_SIGNALS:
     void sectorChosen(const echotrail::CommandedSector& sector);
     /// Layers, echo settings, orientation, following or measuring changed.
     void settingsChanged();
+    void cursorMoved();
+    /// What a tool has to say to the operator.
+    void said(const QString& text, bool ok);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -84,7 +107,16 @@ private:
     void finishSector();
     void showHand();
     void zoomAbout(QPointF place, double factor);
-    void measureAt(QPointF place);
+    void refreshMoving();
+    void showAreas();
+    bool pressChart(QPointF place);
+    bool moveChart(QPointF place);
+    bool releaseChart(QPointF place);
+    bool clickChart(QPointF place);
+    bool chartKey(const QKeyEvent& event);
+    void pressMeasure(QPointF place);
+    void finishDraft();
+    bool grabCorner(QPointF place);
     void pointAt(QPointF place, bool select_only);
     /// Nearest track whose symbol is under the hand; 0: none.
     int trackAt(QPointF place) const;
@@ -109,7 +141,18 @@ private:
     bool dragging_ = false;
     SectorHandles sector_;
     std::optional<Measurement> measurement_;
-    bool measurement_open_ = false;  ///< its second place still follows the cursor
+    bool measurement_open_ = false;           ///< its second place still follows the cursor
+    std::optional<QPointF> measure_pressed_;  ///< while the hand holds an end of it
+    FanImage moving_;                         ///< the fan without its background, while that is shown
+    MarkModel* marks_ = nullptr;
+    AreaModel* areas_ = nullptr;
+    QList<Area> shown_areas_;  ///< with the corner that is being dragged
+    std::optional<AreaDraft> draft_;
+    struct HeldCorner {
+        int area = 0;
+        int corner = 0;
+    };
+    std::optional<HeldCorner> held_corner_;
 };
 
 }  // namespace echotrail

@@ -124,6 +124,21 @@ void SymbolPainter::cursorCross(QPointF centre) {
     strokeWithHalo(painter_, cross, {palette_.mark, px(1.2)}, palette_.halo);
 }
 
+void SymbolPainter::mark(QPointF foot) {
+    QPainterPath flag(foot);
+    flag.lineTo(foot - QPointF(0, px(14.0)));
+    flag.lineTo(foot + QPointF(px(10.0), -px(10.5)));
+    flag.lineTo(foot - QPointF(0, px(7.0)));
+    strokeWithHalo(painter_, flag, {palette_.mark, px(symbol_line)}, palette_.halo);
+}
+
+void SymbolPainter::handle(QPointF centre, const QColor& colour) {
+    QPainterPath square;
+    square.addRect(around(centre, px(2.5)));
+    painter_.fillPath(square, palette_.canvas);
+    strokeWithHalo(painter_, square, {colour, px(1.2)}, palette_.halo);
+}
+
 void SymbolPainter::layer(const QRectF& box, LayerSymbol symbol) {
     const QPointF centre = box.center();
     const double half = std::min(box.width(), box.height()) * 0.32;
@@ -190,6 +205,36 @@ void SymbolPainter::layer(const QRectF& box, LayerSymbol symbol) {
             path.addPolygon(QPolygonF(QList<QPointF>(box_outline.begin(), box_outline.end())));
             path.closeSubpath();
             strokeWithHalo(painter_, path, line(palette_.track, {4.0, 2.5}), palette_.halo);
+            break;
+        }
+        case LayerSymbol::GuardZone:
+        case LayerSymbol::Veto: {
+            const bool guard = symbol == LayerSymbol::GuardZone;
+            const QColor& colour = guard ? palette_.guard : palette_.graticule;
+            const std::array corners{at(-1.1, 0.9), at(-0.7, -0.9), at(0.7, -0.9), at(1.1, 0.9)};
+            path.addPolygon(QPolygonF(QList<QPointF>(corners.begin(), corners.end())));
+            path.closeSubpath();
+            if (!guard) painter_.fillPath(path, QBrush(colour, Qt::BDiagPattern));
+            strokeWithHalo(painter_, path, line(colour), palette_.halo);
+            break;
+        }
+        case LayerSymbol::Mark: {
+            SymbolPainter small(painter_, palette_, scale_ * 0.8);
+            small.mark(at(-0.5, 1.0));
+            break;
+        }
+        case LayerSymbol::Trail:
+        case LayerSymbol::Moving: {
+            QColor faint = palette_.track;
+            for (int i = 0; i < 4 && symbol == LayerSymbol::Trail; ++i) {
+                faint.setAlphaF(0.2F + 0.15F * static_cast<float>(i));
+                painter_.fillRect(around(at(-1.2 + 0.6 * i, 0.6 - 0.4 * i), half * 0.32), faint);
+            }
+            if (symbol == LayerSymbol::Moving) {
+                QColor grey = palette_.mark;
+                grey.setAlphaF(0.75F);
+                painter_.fillRect(around(centre, half * 0.4), grey);
+            }
             break;
         }
         case LayerSymbol::Graticule: {

@@ -27,6 +27,11 @@ enum class LayerSymbol {
     Ellipses,
     History,
     RegionOfInterest,
+    GuardZone,
+    Veto,
+    Mark,
+    Trail,
+    Moving,
     Graticule,
     Inset
 };
@@ -42,6 +47,10 @@ public:
     void ownShip(QPointF centre, double angle);
     void nextLookCross(QPointF centre);
     void cursorCross(QPointF centre);
+    /// A flag whose staff stands on `foot`.
+    void mark(QPointF foot);
+    /// The corner of an area, to be taken by the hand.
+    void handle(QPointF centre, const QColor& colour);
     void layer(const QRectF& box, LayerSymbol symbol);
 
     /// Radius of a steady track's circle at scale 1, px.

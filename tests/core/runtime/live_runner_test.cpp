@@ -220,5 +220,29 @@ TEST_F(Live, ScenesCarryTheEnhancedPictureWhileItIsAskedFor) {
     EXPECT_TRUE(sceneAfter(8)->enhanced.empty());
 }
 
+TEST_F(Live, ScenesKnowWhereOnEarthTheyAreOnceThereIsAFix) {
+    Paced run({}, nullptr, {});
+    const auto frames = scan(1);
+    const auto sceneAfter = [&](std::size_t first, const char* fix) {
+        (void)run.runner.scenes().take();
+        for (std::size_t i = first; i < first + 20; ++i) {
+            run.wait(100'000);
+            run.post(EventKind::NavigationBytes, bytesOf("$HEHDT,010.0,T*2E\r\n"));
+            if (*fix) run.post(EventKind::NavigationBytes, bytesOf(fix));
+            run.post(EventKind::SonarBytes, frames[i]);
+        }
+        return run.runner.scenes().take();
+    };
+    const auto without = sceneAfter(0, "");
+    ASSERT_TRUE(without);
+    EXPECT_FALSE(without->plane);
+    const auto with = sceneAfter(20, "$GPGGA,000000.00,6024.0000,N,00500.0000,E,1,08,1.0,0.0,M,0.0,M,,*50\r\n");
+    ASSERT_TRUE(with && with->plane);
+    const Pose& pose = with->latest.pose;
+    const GeographicPosition here = with->plane->toGeographic({pose.north_m, pose.east_m});
+    EXPECT_NEAR(degreesFromRadians(here.latitude_rad), 60.4, 1e-7);
+    EXPECT_NEAR(degreesFromRadians(here.longitude_rad), 5.0, 1e-7);
+}
+
 }  // namespace
 }  // namespace echotrail

@@ -60,5 +60,57 @@ TEST(SceneBuilder, AFullTurnReachesAllBearings) {
     EXPECT_NEAR(scene.sector_right.inDegrees(), 180.0, 1e-6);
 }
 
+TEST(SceneBuilder, TellsTheTurnFromTheBearingsNotFromTheHead) {
+    auto scan = test::sectorScan(10);
+    for (Ping& ping : scan) ping.clockwise = false;  // as an inverted head sees it
+    const ScanningSonarPipeline pipeline({}, 1);
+    EXPECT_TRUE(built(scan, 21).build(pipeline, scan.back(), {}).turns_clockwise);
+}
+
+TEST(SceneBuilder, KeepsTheLastLineOfEachBearingWithItsThreshold) {
+    const auto scan = test::sectorScan(3 * 21);
+    ScanningSonarPipeline pipeline({}, 1);
+    SceneBuilder builder;
+    for (const Ping& ping : scan) builder.add(ping, pipeline.process(ping, {}), 0.0, pipeline);
+    const Scene scene = builder.build(pipeline, scan.back(), {});
+    ASSERT_NE(scene.live_line, nullptr);
+    EXPECT_NEAR(scene.live_line->from_bow.inDegrees(), 20.0, 1e-6);
+    ASSERT_EQ(scene.lines.size(), 360U);
+    const auto ahead = scene.lines[180 + 4];
+    ASSERT_NE(ahead, nullptr);
+    EXPECT_GT(ahead->time, scan[2 * 21].time) << "the third sweep's, not the first's";
+    ASSERT_EQ(ahead->threshold.size(), ahead->level.size());
+    const auto cell = static_cast<std::size_t>((300 - 0.1 * 54) * 20.0 / 400.0 / ahead->cell_m);
+    EXPECT_GT(ahead->level[cell], ahead->threshold[cell]) << "the target";
+    EXPECT_LT(ahead->level[cell / 2], ahead->threshold[cell / 2]);
+    EXPECT_EQ(ahead->threshold[0], BeamLine::never) << "the transducer rings there";
+    EXPECT_EQ(scene.lines[0], nullptr) << "outside the sector";
+}
+
+TEST(SceneBuilder, RemembersEarlierSweepsAndPaths) {
+    const auto scan = test::sectorScan(4 * 21);
+    ScanningSonarPipeline pipeline({}, 1);
+    SceneBuilder builder;
+    for (const Ping& ping : scan) builder.add(ping, pipeline.process(ping, {}), 0.0, pipeline);
+    const Scene scene = builder.build(pipeline, scan.back(), {});
+    ASSERT_NE(scene.remembered, nullptr);
+    double looks = 0.0;
+    cv::minMaxLoc(scene.remembered->looks, nullptr, &looks);
+    EXPECT_GE(looks, 3.0);
+    ASSERT_NE(scene.paths, nullptr);
+    EXPECT_GE(scene.paths->vehicle.size(), 3U);
+    EXPECT_FALSE(scene.course) << "it lies still";
+}
+
+TEST(SceneBuilder, ALineWithoutDetectionHasItsLevelsAndNoThreshold) {
+    Ping ping = test::sectorScan(1).front();
+    ping.levels.assign(1001, 40);
+    const BeamLine line = lineOf(ping, {});
+    EXPECT_EQ(line.level.size(), 400U);
+    EXPECT_EQ(line.level[399], 40);
+    EXPECT_NEAR(line.cell_m * 400.0, ping.binSize() * 1001.0, 1e-9);
+    EXPECT_TRUE(line.threshold.empty());
+}
+
 }  // namespace
 }  // namespace echotrail

@@ -42,5 +42,18 @@ TEST(Formatter, WritesTimesAsIsoWithMilliseconds) {
     EXPECT_EQ(Formatter::utc(time), "2010-05-23T08:00:12.950Z");
 }
 
+TEST(Formatter, PlacesOnEarthAreDegreesAndMinutes) {
+    EXPECT_EQ(Formatter::latitude(radiansFromDegrees(54.0 + 21.4183 / 60.0)), QString::fromUtf8("54°21.4183′ N"));
+    EXPECT_EQ(Formatter::longitude(radiansFromDegrees(-(10.0 + 9.7712 / 60.0))), QString::fromUtf8("010°09.7712′ W"));
+    EXPECT_EQ(Formatter::latitude(radiansFromDegrees(9.99999999)), QString::fromUtf8("10°00.0000′ N"));
+    EXPECT_EQ(Formatter::latitude(std::nan("")), Formatter::unknown());
+}
+
+TEST(Formatter, OffsetsHaveASignUnlessTheyAreUnknown) {
+    EXPECT_EQ(Formatter::signedNumber(14.5, 1), "+14.5");
+    EXPECT_EQ(Formatter::signedNumber(-27.6, 1), QString::fromUtf8("−27.6"));
+    EXPECT_EQ(Formatter::signedNumber(std::nan(""), 1), Formatter::unknown());
+}
+
 }  // namespace
 }  // namespace echotrail

@@ -13,7 +13,7 @@ const Sector ninety{Bearing::degrees(-45.0), radiansFromDegrees(90.0), 20.0};
 const QRectF box(0, 0, 1000, 900);
 
 FanGeometry geometryOf(const Pose& pose, Orientation orientation, const Sector& sector = ninety) {
-    return fitted(pose, orientation, sector, box, {});
+    return fitted(pose, orientation == Orientation::HeadUp ? pose.heading : Bearing(), sector, box, {});
 }
 
 TEST(FanGeometry, AheadIsUpAndStarboardIsRightWhenHeadUp) {
@@ -72,7 +72,7 @@ TEST(BeamSchedule, TheNextLookWaitsForTheBeamToTurnRound) {
     scene.latest.beam = Bearing::degrees(0.0);
     EXPECT_NEAR(*secondsToNextLook(scene, Bearing::degrees(30.0)), 1.0, 1e-9) << "ahead of the beam";
     EXPECT_NEAR(*secondsToNextLook(scene, Bearing::degrees(-15.0)), 3.5, 1e-9) << "to the edge and back";
-    scene.ping.clockwise = false;
+    scene.turns_clockwise = false;
     EXPECT_NEAR(*secondsToNextLook(scene, Bearing::degrees(-15.0)), 0.5, 1e-9);
     EXPECT_FALSE(secondsToNextLook(scene, Bearing::degrees(60.0))) << "outside the sector";
     scene.sweep_s = 0.0;

@@ -53,8 +53,8 @@ protected:
     }
     /// Beyond the outer ring, where a handle lies.
     QPoint at(double bearing_deg) const {
-        const FanGeometry view = fitted(scene_->latest.pose, Orientation::HeadUp, sectorToFit(*scene_), view_.rect(),
-                                        QMarginsF(44, 58, 44, 22));
+        const FanGeometry view = fitted(scene_->latest.pose, scene_->latest.pose.heading, sectorToFit(*scene_),
+                                        view_.rect(), QMarginsF(44, 58, 44, 22));
         const double range_m = sectorToFit(*scene_).range_m + 15.0 / view.px_per_m;
         return view.at(range_m, Bearing::degrees(bearing_deg)).toPoint();
     }

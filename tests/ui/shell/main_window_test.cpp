@@ -1,10 +1,13 @@
 #include "ui/main_window/main_window.hpp"
 
 #include "qt_environment.hpp"
-#include "ui/main_window/message_strip.hpp"
 #include "tests/ui/look/colour_measures.hpp"
+#include "ui/chart/area_model.hpp"
+#include "ui/chart/mark_model.hpp"
+#include "ui/main_window/message_strip.hpp"
 #include "ui/main_window/shortcuts_overlay.hpp"
 #include "ui/main_window/status_chip.hpp"
+#include "ui/panels/beam/beam_panel.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
 #include "ui/views/fan_view.hpp"
 
@@ -204,6 +207,76 @@ TEST(MainWindow, APictureThatCannotBeWrittenIsSaid) {
     EXPECT_TRUE(window.messages().isVisible());
     const QTemporaryDir folder;
     EXPECT_TRUE(window.saveScreenshot(folder.filePath("picture.png")));
+}
+
+TEST(MainWindow, OneUndoTakesBackMarksAndParametersAlike) {
+    MainWindow window({.remember = false, .play_on_open = false});
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    window.bridge().open("scan", test::scanOpener(60));
+    ASSERT_TRUE(await([&] { return window.bridge().status().state == ReplayState::Paused; }));
+    window.bridge().seekPosition(30);
+    ASSERT_TRUE(await([&] { return window.bridge().scene() && window.bridge().scene()->position == 30; }));
+    QTest::keyClick(&window.fan(), Qt::Key_K);
+    ASSERT_EQ(window.marks().rowCount(), 1);
+    ParameterModel& model = window.parameters().model();
+    PipelineBridge::Params changed = window.bridge().params();
+    changed.regions.screen.seed_excess_db = 17.0;
+    model.change(parameterValues(changed), "threshold");
+    EXPECT_EQ(window.bridge().params().regions.screen.seed_excess_db, 17.0);
+    QTest::keyClick(&window.fan(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_NE(window.bridge().params().regions.screen.seed_excess_db, 17.0);
+    EXPECT_EQ(window.marks().rowCount(), 1);
+    QTest::keyClick(&window.fan(), Qt::Key_K);
+    QTest::keyClick(&window.fan(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(window.marks().rowCount(), 1);
+}
+
+TEST(MainWindow, KeysTurnTheFanMeasureAndBringTheBeamToTheFront) {
+    MainWindow window({.remember = false, .play_on_open = false});
+    window.resize(1600, 1000);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    window.bridge().open("scan", test::scanOpener(60));
+    ASSERT_TRUE(await([&] { return window.bridge().status().state == ReplayState::Paused; }));
+    QTest::keyClick(&window, Qt::Key_N);
+    EXPECT_EQ(window.fan().orientation(), Orientation::NorthUp);
+    QTest::keyClick(&window, Qt::Key_N);
+    EXPECT_EQ(window.fan().orientation(), Orientation::CourseUp);
+    QTest::keyClick(&window, Qt::Key_M);
+    EXPECT_TRUE(window.fan().measures());
+    QTest::keyClick(&window, Qt::Key_M);
+    EXPECT_FALSE(window.fan().measures());
+    auto* beam = window.findChild<BeamPanel*>();
+    ASSERT_NE(beam, nullptr);
+    EXPECT_TRUE(beam->visibleRegion().isEmpty()) << "behind the time line";
+    QTest::keyClick(&window, Qt::Key_B);
+    EXPECT_FALSE(beam->visibleRegion().isEmpty());
+}
+
+TEST(MainWindow, MarksAndZonesComeBackWithTheirRecording) {
+    QSettings().clear();
+    const auto open = [](MainWindow& window) {
+        window.show();
+        window.bridge().open("scan", test::scanOpener(60));
+        ASSERT_TRUE(await([&] { return window.bridge().isOpen(); }));
+    };
+    {
+        MainWindow window({.remember = true, .play_on_open = false});
+        open(window);
+        window.marks().add({3.0, 4.0}, {}, "net?");
+        window.areas().add({Area::Kind::Guard, "ahead", true, {{1.0F, -1.0F}, {5.0F, -1.0F}, {5.0F, 1.0F}}});
+    }
+    MainWindow window({.remember = true, .play_on_open = false});
+    EXPECT_EQ(window.marks().rowCount(), 0) << "its recording is not open";
+    EXPECT_EQ(window.areas().rowCount(), 1) << "goes with the vehicle";
+    open(window);
+    ASSERT_EQ(window.marks().rowCount(), 1);
+    EXPECT_EQ(window.marks().marks()[0].text, "net?");
+    EXPECT_EQ(window.areas().rowCount(), 1);
+    window.bridge().close();
+    EXPECT_EQ(window.marks().rowCount(), 0) << "their ground is gone";
+    QSettings().clear();
 }
 
 }  // namespace

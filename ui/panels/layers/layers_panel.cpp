@@ -5,6 +5,7 @@
 #include "ui/style/ui_metrics.hpp"
 #include "ui/views/beam_schedule.hpp"
 #include "ui/views/fan_view.hpp"
+#include "ui/views/orientation.hpp"
 #include "ui/views/track_painter.hpp"
 
 #include <QCheckBox>
@@ -16,6 +17,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace echotrail {
 namespace {
@@ -49,6 +51,7 @@ void LayersPanel::addLayerRows() {
     };
     const std::array rows{Row{tr("Echo"), LayerSymbol::Echo, &Layers::echoes},
                           Row{tr("Enhanced picture"), LayerSymbol::Echo, &Layers::enhanced},
+                          Row{tr("Moving only"), LayerSymbol::Moving, &Layers::moving},
                           Row{tr("Regions kept"), LayerSymbol::RegionKept, &Layers::regions_kept},
                           Row{tr("Regions dropped"), LayerSymbol::RegionDropped, &Layers::regions_dropped},
                           Row{tr("Particles"), LayerSymbol::Particles, &Layers::particles},
@@ -56,6 +59,10 @@ void LayersPanel::addLayerRows() {
                           Row{tr("Ellipses 1σ · 95 %"), LayerSymbol::Ellipses, &Layers::ellipses},
                           Row{tr("History, prediction"), LayerSymbol::History, &Layers::history},
                           Row{tr("Region of interest"), LayerSymbol::RegionOfInterest, &Layers::region_of_interest},
+                          Row{tr("Guard zones"), LayerSymbol::GuardZone, &Layers::guard_zones},
+                          Row{tr("Veto areas"), LayerSymbol::Veto, &Layers::vetoes},
+                          Row{tr("Marks"), LayerSymbol::Mark, &Layers::marks},
+                          Row{tr("Echo trails"), LayerSymbol::Trail, &Layers::trails},
                           Row{tr("Rings and bearings"), LayerSymbol::Graticule, &Layers::graticule},
                           Row{tr("Target ×4"), LayerSymbol::Inset, &Layers::inset}};
     auto* grid = new QGridLayout;
@@ -82,18 +89,24 @@ void LayersPanel::addOrientation() {
     column_->addWidget(named(tr("Orientation"), "section", this));
     head_up_ = new QPushButton(tr("Head up"), this);
     north_up_ = new QPushButton(tr("North up"), this);
-    orientation_note_ = named(tr("North up needs a heading"), "dim", this);
+    course_up_ = new QPushButton(tr("Course up"), this);
+    orientation_note_ = named({}, "dim", this);
+    orientation_note_->setWordWrap(true);
     auto* row = new QHBoxLayout;
-    for (QPushButton* button : {head_up_, north_up_}) {
+    for (QPushButton* button : {head_up_, north_up_, course_up_}) {
         button->setCheckable(true);
         button->setAutoExclusive(true);
+        // Three of the style's usual width would make the whole dock wider.
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) +
+                                UiMetrics(font()).pixels(14.0));
         row->addWidget(button);
     }
-    row->addStretch(1);
     column_->addLayout(row);
     column_->addWidget(orientation_note_);
     connect(head_up_, &QPushButton::clicked, this, [this] { fan_.setOrientation(Orientation::HeadUp); });
     connect(north_up_, &QPushButton::clicked, this, [this] { fan_.setOrientation(Orientation::NorthUp); });
+    connect(course_up_, &QPushButton::clicked, this, [this] { fan_.setOrientation(Orientation::CourseUp); });
 }
 
 LayersPanel::Level LayersPanel::addLevel(const QString& name, int least, int most) {
@@ -151,7 +164,9 @@ void LayersPanel::writeEcho(bool black_moved) {
 void LayersPanel::readFan() {
     reading_ = true;
     for (const LayerRow& row : layers_) row.box->setChecked(fan_.layers().*row.layer);
-    (fan_.orientation() == Orientation::HeadUp ? head_up_ : north_up_)->setChecked(true);
+    const bool north = fan_.orientation() == Orientation::NorthUp;
+    const bool course = fan_.orientation() == Orientation::CourseUp;
+    (north ? north_up_ : course ? course_up_ : head_up_)->setChecked(true);
     const EchoSettings& echo = fan_.echo();
     map_->setCurrentIndex(static_cast<int>(echo.map));
     const auto show = [](const Level& level, double value, const QString& unit) {
@@ -177,9 +192,15 @@ void LayersPanel::setScene(const Scene& scene) {
     count(&Layers::regions_dropped, static_cast<std::size_t>(dropped));
     count(&Layers::particles, particles);
     count(&Layers::tracks, scene.tracks.size());
-    const bool heading = headingKnown(scene);
-    north_up_->setEnabled(heading || fan_.orientation() == Orientation::NorthUp);
-    orientation_note_->setVisible(!heading);
+    QStringList missing;
+    for (const auto& [button, orientation] :
+         {std::pair{north_up_, Orientation::NorthUp}, std::pair{course_up_, Orientation::CourseUp}}) {
+        const QString input = missingInput(scene, orientation);
+        button->setEnabled(input.isEmpty() || fan_.orientation() == orientation);
+        if (!input.isEmpty()) missing << input;
+    }
+    orientation_note_->setText(missing.join('\n'));
+    orientation_note_->setVisible(!missing.isEmpty());
 }
 
 }  // namespace echotrail

@@ -47,6 +47,7 @@ private:
     QList<LayerRow> layers_;
     QPushButton* head_up_ = nullptr;
     QPushButton* north_up_ = nullptr;
+    QPushButton* course_up_ = nullptr;
     QLabel* orientation_note_ = nullptr;
     QComboBox* map_ = nullptr;
     Level black_{};

@@ -1,0 +1,146 @@
+#include "ui/views/fan_badges.hpp"
+
+#include "core/data/ping.hpp"
+#include "ui/style/formatter.hpp"
+#include "ui/views/orientation.hpp"
+#include "ui/views/track_painter.hpp"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace echotrail {
+namespace {
+
+QString text(const char* source) { return QCoreApplication::translate("FanView", source); }
+
+struct UnderCursor {
+    double level_db = std::numeric_limits<double>::quiet_NaN();
+    double age_s = std::numeric_limits<double>::quiet_NaN();
+};
+
+UnderCursor echoAt(const FanMoment& moment, const Eigen::Vector2d& place) {
+    const FanImage& fan = shownFan(moment);
+    if (fan.empty()) return {};
+    const long row = std::lround(fan.rowOf(place.x()));
+    const long column = std::lround(fan.columnOf(place.y()));
+    if (row < 0 || column < 0 || row >= fan.levels.rows || column >= fan.levels.cols) return {};
+    const cv::Point pixel(static_cast<int>(column), static_cast<int>(row));
+    const std::int32_t time = fan.beam_time_ms.at<std::int32_t>(pixel);
+    if (time == FanImage::never_scanned) return {};
+    return {fan.levels.at<std::uint8_t>(pixel) / levels_per_db, (moment.ages->newest_ms - time) / 1000.0};
+}
+
+BadgeLine measureLine(const FanMoment& moment, const Palette& p) {
+    BadgeLine line{{text("Measure "), p.graticule}};
+    if (!moment.measurement) return line << BadgeText{text("drag, or click two places"), p.mark};
+    return line << BadgeText{measuredText(*moment.measurement, moment.geometry, headingKnown(*moment.scene)), p.mark,
+                             true};
+}
+
+BadgeLine draftLine(const AreaDraft& draft, const Palette& p) {
+    const QString what = draft.kind == Area::Kind::Guard ? text("Guard zone ") : text("Veto area ");
+    const QString how = draft.corners_m.size() < 3 ? text("click its corners, Esc gives up")
+                                                   : text("Enter closes it, Backspace takes a corner back");
+    return {{what, draft.kind == Area::Kind::Guard ? p.guard : p.graticule, true}, {how, p.mark}};
+}
+
+BadgeLine sectorLine(const SectorHandles& sector, const Palette& p) {
+    const QString state =
+        sector.isHeld() ? text("Enter or let go commands, Esc gives up") : text("commanded, not confirmed");
+    return {{text("Sector "), p.graticule},
+            {Formatter::number(sector.sector().width_deg, 1) + "°", p.caution, true},
+            {"  " + state, p.mark}};
+}
+
+/// Where the cursor is, in every way that is known.
+QList<BadgeLine> placeLines(const FanMoment& moment, QPointF cursor, const Palette& p) {
+    const FanGeometry& geometry = moment.geometry;
+    const Bearing bearing = geometry.bearingOf(cursor);
+    const bool heading = headingKnown(*moment.scene);
+    BadgeLine polar{
+        {text("Cursor "), p.graticule},
+        {Formatter::range(geometry.rangeOf(cursor)) + "  " + Formatter::relativeBearing(bearing), p.mark, true}};
+    if (heading)
+        polar << BadgeText{"  " + Formatter::trueBearing(bearing + geometry.heading.inRadians()), p.mark, true};
+    QList<BadgeLine> lines{polar};
+    const Eigen::Vector2d place = geometry.toLocal(cursor);
+    if (heading)
+        lines << BadgeLine{{"N ", p.graticule},
+                           {Formatter::signedNumber(place.x() - geometry.north_m, 1) + " m", p.mark},
+                           {"  E ", p.graticule},
+                           {Formatter::signedNumber(place.y() - geometry.east_m, 1) + " m", p.mark}};
+    if (const auto& plane = moment.scene->plane) {
+        const GeographicPosition there = plane->toGeographic({place.x(), place.y()});
+        lines << BadgeLine{
+            {Formatter::latitude(there.latitude_rad) + "  " + Formatter::longitude(there.longitude_rad), p.mark}};
+    }
+    const UnderCursor echo = echoAt(moment, place);
+    lines << BadgeLine{{moment.moving ? text("stands out ") : text("level "), p.graticule},
+                       {Formatter::withUnit(echo.level_db, 0, "dB"), p.mark},
+                       {text("  beam age "), p.graticule},
+                       {Formatter::age(echo.age_s), p.mark}};
+    return lines;
+}
+
+QString layerBadge(const FanMoment& moment) {
+    if (!moment.layers.echoes) return text("ECHO OFF");
+    if (moment.moving) return text("MOVING ONLY");
+    return moment.layers.enhanced && !moment.scene->enhanced.empty() ? text("ENHANCED") : text("RAW");
+}
+
+}  // namespace
+
+QList<BadgeLine> cursorLines(const FanMoment& moment, const Palette& p) {
+    QList<BadgeLine> lines;
+    if (moment.draft) lines << draftLine(*moment.draft, p);
+    if (moment.measuring && moment.scene) lines << measureLine(moment, p);
+    if (moment.sector && moment.sector->areThere() && !moment.sector->isConfirmed())
+        lines << sectorLine(*moment.sector, p);
+    if (!moment.cursor || !moment.scene)
+        return lines << BadgeLine{{text("Cursor "), p.graticule}, {Formatter::unknown(), p.graticule}};
+    return lines << placeLines(moment, *moment.cursor, p);
+}
+
+QList<BadgeLine> viewLines(const FanMoment& moment, const Palette& p) {
+    const Scene& scene = *moment.scene;
+    const QString missing = missingInput(scene, moment.orientation);
+    QString how = orientationBadge(moment.orientation);
+    if (!moment.follow) how += "  " + text("GROUND FIXED");
+    if (moment.off_centre) how += "  " + text("OFF CENTRE");
+    BadgeLine first{{Formatter::withUnit(moment.geometry.sector.range_m, 0, "m"), p.mark, true},
+                    {"  " + how + "  " + layerBadge(moment), p.mark}};
+    if (std::abs(moment.zoom - 1.0) > 0.01) first << BadgeText{"  ×" + Formatter::number(moment.zoom, 1), p.mark, true};
+    QList<BadgeLine> lines{first};
+    if (!missing.isEmpty()) lines << BadgeLine{{missing, p.caution, true}, {"  " + text("shown head up"), p.mark}};
+    if ((moment.moving || moment.layers.trails) && !scene.remembered)
+        lines << BadgeLine{{text("Learns what lies still"), p.caution, true}, {"  " + text("wait two sweeps"), p.mark}};
+    const auto dropped = std::count_if(scene.regions.begin(), scene.regions.end(), isDropped);
+    if (dropped > 0)
+        lines << BadgeLine{
+            {text("FILTERS ACTIVE"), p.caution, true},
+            {"  " + QCoreApplication::translate("FanView", "%n region(s) dropped", nullptr, static_cast<int>(dropped)),
+             p.mark}};
+    if (scene.latest.navigation_gap)
+        lines << BadgeLine{{text("NAVIGATION GAP"), p.caution, true}, {"  " + text("tracks coast"), p.mark}};
+    return lines;
+}
+
+QList<BadgeLine> sweepLines(const FanMoment& moment, const Palette& p) {
+    const Scene& scene = *moment.scene;
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    QList<BadgeLine> lines{
+        {{text("Sweep "), p.graticule},
+         {Formatter::age(scene.sweep_s > 0.0 ? scene.sweep_s : unknown), p.mark, true},
+         {text("  oldest beam "), p.graticule},
+         {Formatter::age(moment.ages->age_s.empty() ? unknown : moment.ages->oldest_s), p.mark, true}}};
+    const auto target = std::find_if(scene.tracks.begin(), scene.tracks.end(), [](const Track& t) { return t.target; });
+    if (target == scene.tracks.end()) return lines;
+    const auto wait = secondsToNextLook(scene, bearingOf(*target, scene.latest.pose));
+    lines << BadgeLine{{text("Next look at %1 in ").arg(Formatter::trackId(target->id)), p.graticule},
+                       {Formatter::age(wait.value_or(unknown)), p.track, true}};
+    return lines;
+}
+
+}  // namespace echotrail
