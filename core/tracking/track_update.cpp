@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 // What one pass of the beam does to the tracks it went over.
 namespace echotrail {
@@ -152,39 +154,49 @@ void Tracker::processCluster(const std::vector<std::size_t>& members, const std:
 }
 
 /// Where several tracks claim one region and none prevails, it is the senior's: the operator's target, then a proven
-/// track, then the older. Otherwise two tracks on one object would starve each other; so the younger one goes.
+/// track, then the older. Otherwise two tracks on one object would starve each other; so the younger one goes. Each
+/// track has one region at most: what it leaves is the next one's.
 void Tracker::settleTies(const std::vector<std::size_t>& members, Association& joint) const {
-    const auto isSenior = [&](std::size_t a, std::size_t b) {
-        const auto rank = [&](std::size_t m) {
-            const Track& track = followed_[members[m]].track;
-            return std::tuple(!track.target, track.state == TrackState::Tentative || track.state == TrackState::Lost,
-                              track.id);
-        };
-        return rank(a) < rank(b);
-    };
     const std::size_t regions = joint.probability.empty() ? 0 : joint.probability.front().size();
-    for (std::size_t k = 0; k < regions; ++k) {
-        double claimed = 0, highest = 0;
-        for (std::size_t m = 0; m < members.size(); ++m) {
-            claimed += joint.probability[m][k];
-            highest = std::max(highest, joint.probability[m][k]);
+    std::vector<double> claimed(regions, 0.0), highest(regions, 0.0);
+    for (const auto& claims : joint.probability)
+        for (std::size_t k = 0; k < regions; ++k) {
+            claimed[k] += claims[k];
+            highest[k] = std::max(highest[k], claims[k]);
         }
-        if (claimed < 0.5) continue;
-        std::optional<std::size_t> senior;
-        for (std::size_t m = 0; m < members.size(); ++m)
-            if (joint.probability[m][k] >= real_claim * highest && (!senior || isSenior(m, *senior))) senior = m;
-        for (std::size_t m = 0; m < members.size(); ++m) {
-            double& claim = joint.probability[m][k];
-            if (m == *senior) {
-                const double gained = std::min(claimed - claim, joint.none[m]);
-                claim += gained;
-                joint.none[m] -= gained;
-            } else {
-                joint.none[m] += claim;
-                claim = 0;
-            }
+    std::vector<std::optional<std::size_t>> owner(regions);
+    for (const std::size_t m : bySeniority(members)) {
+        std::optional<std::size_t> best;
+        for (std::size_t k = 0; k < regions; ++k) {
+            const double claim = joint.probability[m][k];
+            if (owner[k] || claimed[k] < 0.5 || claim < real_claim * highest[k]) continue;
+            if (!best || claim > joint.probability[m][*best]) best = k;
         }
+        if (best) owner[*best] = m;
     }
+    for (std::size_t m = 0; m < members.size(); ++m)
+        for (std::size_t k = 0; k < regions; ++k)
+            if (owner[k] && *owner[k] != m) joint.none[m] += std::exchange(joint.probability[m][k], 0.0);
+    for (std::size_t k = 0; k < regions; ++k) {
+        if (!owner[k]) continue;
+        double& claim = joint.probability[*owner[k]][k];
+        const double gained = std::min(claimed[k] - claim, joint.none[*owner[k]]);
+        claim += gained;
+        joint.none[*owner[k]] -= gained;
+    }
+}
+
+/// Places in `members`, the senior first.
+std::vector<std::size_t> Tracker::bySeniority(const std::vector<std::size_t>& members) const {
+    const auto rank = [&](std::size_t m) {
+        const Track& track = followed_[members[m]].track;
+        return std::tuple(!track.target, track.state == TrackState::Tentative || track.state == TrackState::Lost,
+                          track.id);
+    };
+    std::vector<std::size_t> order(members.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+    return order;
 }
 
 /// Echoes that have run into each other are one region, and the joint association gives it to one track alone. Another

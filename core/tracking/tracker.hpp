@@ -164,6 +164,7 @@ private:
     void processCluster(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
                         std::vector<TrackLook>& looks);
     void settleTies(const std::vector<std::size_t>& members, Association& joint) const;
+    std::vector<std::size_t> bySeniority(const std::vector<std::size_t>& members) const;
     void shareMerged(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
                      const Association& alone, const std::vector<std::vector<Pairing>>& pairings,
                      Association& joint) const;

@@ -15,6 +15,7 @@ struct Object {
     Eigen::Vector2d start{20, 0}, velocity{0, 0};
     double area_m2 = 0.6;
     double visible_from_s = 0, hidden_from_s = 1e9, shown_again_s = 1e9;
+    double peak_db = 60;
     Eigen::Vector2d at(double t) const { return start + t * velocity; }
     bool shows(double t) const { return t >= visible_from_s && (t < hidden_from_s || t >= shown_again_s); }
 };
@@ -77,6 +78,7 @@ private:
         // What an ellipse of these widths would give: M2 = [(e − 1/e)/4π]², e = across/along.
         const double along = 0.6, across = object.area_m2 / (M_PI / 4 * along), e = across / along;
         region.contrast_db = 25;
+        region.peak_db = object.peak_db;
         region.features = {object.area_m2, std::log10(std::pow((e - 1 / e) / (4 * M_PI), 2) + 1e-3), along, across, 25};
         return region;
     }
@@ -165,6 +167,34 @@ TEST(Tracker, CrossingTargetsKeepTheirIdentity) {
         kept += !switched && first_owner.size() == 2;
     }
     EXPECT_GE(kept, 19);
+}
+
+TEST(Tracker, AnEchosCopyBehindItStartsNoTrack) {
+    const std::vector<Object> echo_and_copy{{{20, 0}, {0, 0}}, {{22, 0}, {0, 0}, 0.6, 0, 1e9, 1e9, 50}};
+    Scene scene(echo_and_copy);
+    scene.run(60);
+    EXPECT_EQ(scene.tracker.confirmedEver(), 1u);
+    for (const TrackLook& look : scene.confirmedLooks()) EXPECT_NEAR(look.position_m.x(), 20.0, 0.6);
+    Tracker::Params without;
+    without.tracking.ghost_density = 0;
+    Scene both(echo_and_copy, without);
+    both.run(60);
+    EXPECT_EQ(both.tracker.confirmedEver(), 2u);
+}
+
+TEST(Tracker, EchoesThatRunIntoEachOtherCountForBothTracks) {
+    constexpr double merge_s = 40;
+    Scene scene({{{20, -0.8}, {0, 0}, 0.6, 0, merge_s},
+                 {{20, 0.8}, {0, 0}, 0.6, 0, merge_s},
+                 {{20, 0}, {0, 0}, 1.6, merge_s}});
+    scene.run(merge_s);
+    ASSERT_EQ(scene.tracker.confirmedEver(), 2u);
+    scene.run(merge_s + 40);
+    std::map<int, int> seen;
+    for (const TrackLook& look : scene.confirmedLooks())
+        if (secondsOf(look) > merge_s) seen[look.track] += look.seen;
+    ASSERT_EQ(seen.size(), 2u);
+    for (const auto& [track, looks] : seen) EXPECT_GE(looks, 3) << track;  // then the younger is taken for a double
 }
 
 TEST(Tracker, PickBeforeTheTargetShowsWaitsForIt) {

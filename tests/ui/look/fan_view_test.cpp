@@ -313,16 +313,22 @@ TEST_F(FanChartTest, AMarkStaysOnTheGroundWhileTheVehicleMoves) {
 }
 
 TEST_F(FanChartTest, ADragLaysTheMeasureAndItsEndsCanBeDraggedOn) {
+    // The platform tells of the cursor at its own time, and its readout is not what is compared: without a cursor.
+    const auto picture = [&] {
+        QCoreApplication::processEvents();
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&view_, &leave);
+        return pictureOf(view_);
+    };
     view_.setMeasuring(true);
-    const QImage before = pictureOf(view_);
+    const QImage before = picture();
     drag(at(10.0, 0.0), at(14.0, 0.0));
-    const QImage laid = pictureOf(view_);
+    const QImage laid = picture();
     EXPECT_NE(before, laid);
     QTest::mouseMove(&view_, at(8.0, 6.0));
-    QTest::mouseMove(&view_, at(14.0, 0.0));
-    EXPECT_EQ(pictureOf(view_), laid) << "the end does not follow the hand any more";
+    EXPECT_EQ(picture(), laid) << "the end does not follow the hand any more";
     drag(at(10.0, 0.0), at(9.0, 5.0));
-    EXPECT_NE(pictureOf(view_), laid);
+    EXPECT_NE(picture(), laid);
     EXPECT_EQ(designations_, 0);
     QTest::keyClick(&view_, Qt::Key_Escape);
     EXPECT_FALSE(view_.measures());

@@ -101,7 +101,8 @@ TEST(StripChart, TheNewerIsToTheRightAndTheLargerHigherUp) {
 }
 
 TEST(TrackReasons, SayWhatHoldsOrEndsAState) {
-    const LifeParams params;
+    LifeParams params;
+    params.confirm_existence = 0.9;
     const Timestamp now = test::scene_time;
     Track track = test::sampleTrack(1, TrackState::Tentative, 12.0, 2.0);
     track.looks = 2;
