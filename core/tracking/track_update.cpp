@@ -199,6 +199,25 @@ std::vector<std::size_t> Tracker::bySeniority(const std::vector<std::size_t>& me
     return order;
 }
 
+/// What passes behind something stronger looks like that one's copy; a proven track knows it by its place and its
+/// looks, where the stronger echo is another's.
+bool Tracker::takeForOwn(std::size_t m, const std::vector<std::size_t>& regions,
+                         const std::vector<std::vector<Pairing>>& pairings, Association& joint) const {
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        const Pairing& pairing = pairings[m][k];
+        double claimed = 0;
+        for (const auto& claims : joint.probability) claimed += claims[k];
+        const bool alike =
+            pairing.gated && pairing.nis < one_place && pairing.likeness > params_.likeness.learning_score;
+        if (!alike || claimed - joint.probability[m][k] > 0.5 || !isGhost(pending_[regions[k]].region)) continue;
+        joint.probability[m].assign(regions.size(), 0.0);
+        joint.probability[m][k] = sure_association;
+        joint.none[m] = 1.0 - sure_association;
+        return true;
+    }
+    return false;
+}
+
 /// Echoes that have run into each other are one region, and the joint association gives it to one track alone. Another
 /// proven track that is expected about there, and smaller than it, has its echo in there, too.
 void Tracker::shareMerged(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
@@ -207,6 +226,7 @@ void Tracker::shareMerged(const std::vector<std::size_t>& members, const std::ve
     for (std::size_t m = 0; m < members.size(); ++m) {
         const FollowedTrack& followed = followed_[members[m]];
         if (followed.track.state == TrackState::Tentative || joint.none[m] < 0.5) continue;
+        if (takeForOwn(m, regions, pairings, joint)) continue;
         for (std::size_t k = 0; k < regions.size(); ++k) {
             const Region& region = pending_[regions[k]].region;
             if (!pairings[m][k].gated || alone.probability[m][k] < 0.5) continue;

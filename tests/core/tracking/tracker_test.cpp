@@ -184,9 +184,8 @@ TEST(Tracker, AnEchosCopyBehindItStartsNoTrack) {
 
 TEST(Tracker, EchoesThatRunIntoEachOtherCountForBothTracks) {
     constexpr double merge_s = 40;
-    Scene scene({{{20, -0.8}, {0, 0}, 0.6, 0, merge_s},
-                 {{20, 0.8}, {0, 0}, 0.6, 0, merge_s},
-                 {{20, 0}, {0, 0}, 1.6, merge_s}});
+    Scene scene(
+        {{{20, -0.8}, {0, 0}, 0.6, 0, merge_s}, {{20, 0.8}, {0, 0}, 0.6, 0, merge_s}, {{20, 0}, {0, 0}, 1.6, merge_s}});
     scene.run(merge_s);
     ASSERT_EQ(scene.tracker.confirmedEver(), 2u);
     scene.run(merge_s + 40);
