@@ -114,10 +114,9 @@ Command addPairCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "pair",
         "Make a tracker and a console known to each other. Aboard, without an address: shows a code of one use and "
-        "five "
-        "minutes, and waits. At the console, with the tracker's address: asks for that code. From then on 'track "
-        "--serve "
-        "tls://…' lets this console in, and 'echotrail-console --connect tls://…' believes this tracker.");
+        "five minutes, and waits. At the console, with the tracker's address: asks for that code. From then on "
+        "'track --serve tls://…' lets this console in, and 'echotrail-console --connect tls://…' believes this "
+        "tracker.");
     auto arguments = std::make_shared<PairArguments>();
     auto* tracker =
         command->add_option("TRACKER", arguments->tracker, "Where 'echotrail pair' waits aboard: tls://HOST:PORT");

@@ -4,17 +4,12 @@
 #include "core/link/pairing_message.hpp"
 
 #include <QHostAddress>
-#include <chrono>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 namespace echotrail {
 namespace {
-
-int milliseconds(Microseconds time) {
-    return static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
-}
 
 /// The message, once it is whole; where it can be none, the reader is broken.
 std::optional<std::string_view> readFrom(QSslSocket& socket, FrameReader& reader) {
@@ -42,7 +37,7 @@ PairingServer::PairingServer(const PairingCode& code, const TrustStore& trust, c
     end_.setSingleShot(true);
     connect(&end_, &QTimer::timeout, this,
             [this] { Q_EMIT over(tr("nobody came with the code in five minutes; run echotrail pair again")); });
-    end_.start(milliseconds(link_limits::pairing_lasts));
+    end_.start(link_limits::pairing_lasts);
 }
 
 PairingServer::~PairingServer() {
@@ -74,7 +69,7 @@ void PairingServer::welcome(QSslSocket* socket) {
     talking_.emplace(socket, FrameReader(link_limits::longest_pairing_message));
     connect(socket, &QSslSocket::destroyed, this, [this, socket] { talking_.erase(socket); });
     connect(socket, &QSslSocket::readyRead, this, [this, socket] { read(socket); });
-    QTimer::singleShot(milliseconds(link_limits::pairing_answer), socket, [socket] { socket->abort(); });
+    QTimer::singleShot(link_limits::pairing_answer, socket, [socket] { socket->abort(); });
     if (socket->bytesAvailable() > 0) read(socket);
 }
 
@@ -142,7 +137,7 @@ Result<void> PairingClient::begin(const LinkAddress& tracker) {
     if (!own) return Error{own.error()};
     own_ = *std::move(own);
     socket_.setSslConfiguration(tlsConfiguration(own_, QSslSocket::VerifyPeer));
-    patience_.start(milliseconds(link_limits::pairing_answer + link_limits::handshake_within));
+    patience_.start(link_limits::pairing_answer + link_limits::handshake_within);
     socket_.connectToHostEncrypted(QString::fromStdString(tracker.host), tracker.port);
     return {};
 }

@@ -7,7 +7,6 @@
 #include <QSslSocket>
 #include <QTimer>
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <utility>
 
@@ -18,10 +17,6 @@ constexpr int last_words_ms = 1'000;  // for the refusal to go out
 constexpr qint64 read_bytes = 256 * 1024;
 constexpr auto pairing_advice =
     "run 'echotrail pair' here, and 'echotrail pair tls://HOST:PORT' there with the code that it shows";
-
-int milliseconds(Microseconds time) {
-    return static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
-}
 
 }  // namespace
 
@@ -51,7 +46,7 @@ void TlsListener::incomingConnection(qintptr handle) {
                         tr("it broke off, as one does that does not know this machine; %1").arg(pairing_advice));
         fail(socket, "no_tls", tr("it does not speak TLS 1.3; connect with tls://HOST:PORT"));
     });
-    QTimer::singleShot(milliseconds(link_limits::handshake_within), socket,
+    QTimer::singleShot(link_limits::handshake_within, socket,
                        [this, socket] { fail(socket, "too_slow", tr("it did not show its certificate in time")); });
     socket->startServerEncryption();
 }

@@ -2,6 +2,7 @@
 
 #include "core/base/time.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 
@@ -32,11 +33,11 @@ inline constexpr Microseconds between_snapshots{1'000'000};
 // Who may come in
 inline constexpr std::size_t most_handshakes = 16;      ///< at once, of TLS
 inline constexpr std::size_t most_handshakes_each = 4;  ///< from one address: one alone does not keep all others out
-inline constexpr Microseconds handshake_within{5'000'000};
+inline constexpr std::chrono::milliseconds handshake_within{5'000};
 inline constexpr std::size_t longest_pairing_message = 1024;  ///< bytes
 inline constexpr int pairing_tries = 5;                       ///< wrong codes; then the code is worth nothing
-inline constexpr Microseconds pairing_lasts{300'000'000};
-inline constexpr Microseconds pairing_answer{10'000'000};
+inline constexpr std::chrono::milliseconds pairing_lasts{300'000};
+inline constexpr std::chrono::milliseconds pairing_answer{10'000};
 inline constexpr std::size_t most_paired = 200;  ///< on one machine
 
 // Control

@@ -31,6 +31,13 @@ bool areOnePlace(const Cue& a, const Cue& b) {
     return apart.dot((a.covariance_m2 + b.covariance_m2).inverse() * apart) <= one_place;
 }
 
+/// Track m has region k with this probability, and no other.
+void giveTo(Association& joint, std::size_t m, std::size_t k, double probability) {
+    joint.probability[m].assign(joint.probability[m].size(), 0.0);
+    joint.probability[m][k] = probability;
+    joint.none[m] = 1.0 - probability;
+}
+
 }  // namespace
 
 /// Covariance of a region's centroid in the local frame, along the line of sight and across it. The centroid is known
@@ -89,8 +96,8 @@ RegionFeatures Tracker::expectedFeatures(const FollowedTrack& followed, double r
                                                                : followed.first_features;
 }
 
-/// Whether another region explains this one. What was flagged when it was found is not all: the stronger one may be
-/// completed later. Laxer than the flag is, as it only weighs down.
+/// Whether another region explains this one: it then starts no track, and counts little as a track's echo. The flag it
+/// got when it was found is not enough: the stronger one may be completed later.
 bool Tracker::isGhost(const Region& region) const {
     return params_.tracking.ghost_density > 0.0 && recent_.explain(region, ghost);
 }
@@ -132,6 +139,7 @@ void Tracker::processCluster(const std::vector<std::size_t>& members, const std:
     Association joint = params_.method.sharing == Sharing::Joint ? associate(problem) : alone;
     if (params_.method.sharing == Sharing::Joint) {
         settleTies(members, joint);
+        keepOwn(members, regions, pairings, joint);
         shareMerged(members, regions, alone, pairings, joint);
     }
     for (std::size_t k = 0; k < regions.size(); ++k) {
@@ -199,23 +207,27 @@ std::vector<std::size_t> Tracker::bySeniority(const std::vector<std::size_t>& me
     return order;
 }
 
+bool Tracker::isProvenWithoutEcho(std::size_t member, double none) const {
+    return followed_[member].track.state != TrackState::Tentative && none >= 0.5;
+}
+
 /// What passes behind something stronger looks like that one's copy; a proven track knows it by its place and its
 /// looks, where the stronger echo is another's.
-bool Tracker::takeForOwn(std::size_t m, const std::vector<std::size_t>& regions,
-                         const std::vector<std::vector<Pairing>>& pairings, Association& joint) const {
-    for (std::size_t k = 0; k < regions.size(); ++k) {
-        const Pairing& pairing = pairings[m][k];
-        double claimed = 0;
-        for (const auto& claims : joint.probability) claimed += claims[k];
-        const bool alike =
-            pairing.gated && pairing.nis < one_place && pairing.likeness > params_.likeness.learning_score;
-        if (!alike || claimed - joint.probability[m][k] > 0.5 || !isGhost(pending_[regions[k]].region)) continue;
-        joint.probability[m].assign(regions.size(), 0.0);
-        joint.probability[m][k] = sure_association;
-        joint.none[m] = 1.0 - sure_association;
-        return true;
+void Tracker::keepOwn(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
+                      const std::vector<std::vector<Pairing>>& pairings, Association& joint) const {
+    for (std::size_t m = 0; m < members.size(); ++m) {
+        if (!isProvenWithoutEcho(members[m], joint.none[m])) continue;
+        for (std::size_t k = 0; k < regions.size(); ++k) {
+            const Pairing& pairing = pairings[m][k];
+            double others = -joint.probability[m][k];
+            for (const auto& claims : joint.probability) others += claims[k];
+            const bool alike =
+                pairing.gated && pairing.nis < one_place && pairing.likeness > params_.likeness.learning_score;
+            if (!alike || others > 0.5 || !isGhost(pending_[regions[k]].region)) continue;
+            giveTo(joint, m, k, sure_association);
+            break;
+        }
     }
-    return false;
 }
 
 /// Echoes that have run into each other are one region, and the joint association gives it to one track alone. Another
@@ -225,16 +237,13 @@ void Tracker::shareMerged(const std::vector<std::size_t>& members, const std::ve
                           Association& joint) const {
     for (std::size_t m = 0; m < members.size(); ++m) {
         const FollowedTrack& followed = followed_[members[m]];
-        if (followed.track.state == TrackState::Tentative || joint.none[m] < 0.5) continue;
-        if (takeForOwn(m, regions, pairings, joint)) continue;
+        if (!isProvenWithoutEcho(members[m], joint.none[m])) continue;
         for (std::size_t k = 0; k < regions.size(); ++k) {
             const Region& region = pending_[regions[k]].region;
             if (!pairings[m][k].gated || alone.probability[m][k] < 0.5) continue;
             if (region.features.area_m2 < merged_area * expectedFeatures(followed, region.range_m).area_m2) continue;
             if (pairings[m][k].nis > one_place) continue;
-            joint.probability[m].assign(regions.size(), 0.0);
-            joint.probability[m][k] = alone.probability[m][k];
-            joint.none[m] = 1.0 - alone.probability[m][k];
+            giveTo(joint, m, k, alone.probability[m][k]);
         }
     }
 }

@@ -165,8 +165,9 @@ private:
                         std::vector<TrackLook>& looks);
     void settleTies(const std::vector<std::size_t>& members, Association& joint) const;
     std::vector<std::size_t> bySeniority(const std::vector<std::size_t>& members) const;
-    bool takeForOwn(std::size_t m, const std::vector<std::size_t>& regions,
-                    const std::vector<std::vector<Pairing>>& pairings, Association& joint) const;
+    bool isProvenWithoutEcho(std::size_t member, double none) const;
+    void keepOwn(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
+                 const std::vector<std::vector<Pairing>>& pairings, Association& joint) const;
     void shareMerged(const std::vector<std::size_t>& members, const std::vector<std::size_t>& regions,
                      const Association& alone, const std::vector<std::vector<Pairing>>& pairings,
                      Association& joint) const;

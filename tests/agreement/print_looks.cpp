@@ -1,26 +1,18 @@
-// print_looks SOURCE: the looks that the default pipeline makes of a recording or of simulation://NAME?seed=N, one JSON
-// object a line. Of the core alone, so that a second build of it costs little: the two are compared.
+// print_looks RECORDING, or print_looks SCENARIO SEED: the looks that the default pipeline makes of it, one JSON object
+// a line. Of the core alone, so that a second build of it costs little: the two are compared.
 
 #include "core/pipelines/scanning_sonar_pipeline.hpp"
 #include "core/recording/recording.hpp"
 #include "core/simulation/simulated_source.hpp"
-#include "core/simulation/simulation_address.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <memory>
+#include <string>
 
 namespace echotrail {
 namespace {
-
-Result<std::unique_ptr<PingSource>> open(const std::string& source) {
-    if (!isSimulationAddress(source)) return openRecording(source);
-    const auto address = parseSimulationAddress(source);
-    if (!address) return Error{address.error()};
-    auto simulated = openSimulation(address->scenario, address->seed);
-    if (!simulated) return Error{simulated.error()};
-    return std::unique_ptr<PingSource>(*std::move(simulated));
-}
 
 void print(const Update& update) {
     for (const TrackLook& look : update.looks)
@@ -34,14 +26,14 @@ void print(const Update& update) {
                   << '\n';
 }
 
-int printLooks(const std::string& name) {
-    const auto source = open(name);
+template <typename Source>
+int printLooks(const Result<std::unique_ptr<Source>>& source) {
     if (!source) {
-        std::cerr << source.error() << '\n';
+        std::cerr << "print_looks: " << source.error() << '\n';
         return 1;
     }
-    constexpr std::uint64_t seed = 1;
-    ScanningSonarPipeline pipeline({}, seed);
+    constexpr std::uint64_t tracker_seed = 1;
+    ScanningSonarPipeline pipeline({}, tracker_seed);
     while (const auto ping = (*source)->next()) print(pipeline.process(*ping, (*source)->navigation()));
     print(pipeline.finish());
     return 0;
@@ -50,4 +42,9 @@ int printLooks(const std::string& name) {
 }  // namespace
 }  // namespace echotrail
 
-int main(int count, char** arguments) { return count == 2 ? echotrail::printLooks(arguments[1]) : 2; }
+int main(int count, char** arguments) {
+    if (count == 2) return echotrail::printLooks(echotrail::openRecording(arguments[1]));
+    if (count == 3) return echotrail::printLooks(echotrail::openSimulation(arguments[1], std::stoull(arguments[2])));
+    std::cerr << "usage: print_looks RECORDING | print_looks SCENARIO SEED\n";
+    return 2;
+}

@@ -1,4 +1,5 @@
 #include "core/data/beam_line.hpp"
+#include "pictures.hpp"
 #include "sample_scene.hpp"
 #include "ui/panels/beam/beam_panel.hpp"
 #include "ui/panels/plan/plan_view.hpp"
@@ -12,19 +13,8 @@
 namespace echotrail {
 namespace {
 
-QImage pictureOf(QWidget& widget) {
-    QImage picture(widget.size(), QImage::Format_RGB32);
-    widget.render(&picture);
-    return picture;
-}
-
-int pixelsLike(const QImage& picture, const QColor& colour) {
-    int count = 0;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x)
-            if (picture.pixel(x, y) == colour.rgb()) ++count;
-    return count;
-}
+using test::pictureOf;
+using test::pixelsLike;
 
 /// Of a line that may lie between two rows of pixels.
 int yellowPixels(const QImage& picture) {
