@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t flank_pings = EchoScreen::closing_pings;
 constexpr double flank_m = 1.0;             // of the tile beyond the strong cells
 constexpr double pixels_per_range = 400.0;  // of the tiles: regions must not depend on the display's fan
-constexpr double same_peak_s = 2.0;         // two candidates that touch show the same region within this time
+constexpr double same_peak_s = 2.0;         // two candidates of a sweep show the same region within this time
 constexpr MultipathRule multipath{.farthest_m = 3.0, .weaker_db = 6.0};
 
 int levelsFromDb(double db) { return static_cast<int>(std::lround(db * levels_per_db)); }
@@ -48,6 +48,7 @@ void RegionFinder::breakOff(std::vector<Region>& regions) {
     for (const Candidate& candidate : candidates_) growRegions(candidate, regions);
     flagMultipath(regions);
     sweep_first_row_ = next_row_;
+    found_.clear();  // the beam sees the same place again on its way back: another look at it
 }
 
 void RegionFinder::add(const Ping& ping, const Ray& ray, const Pose& head, Timestamp epoch,

@@ -80,6 +80,17 @@ TEST(ScanningSonarPipeline, FollowsAnApproachingTargetWhereItIs) {
     EXPECT_GE(confirmed, 6);
 }
 
+TEST(ScanningSonarPipeline, TargetNearTheTurnIsSeenOnTheWayOutAndOnTheWayBack) {
+    // 5° from the end of the sector the beam comes by twice within 0.6 s, and sees the same pixels.
+    const double angle = radiansFromDegrees(40);
+    int seen = 0;
+    for (const TrackLook& look : run(scanOf(30 * std::cos(angle), 30 * std::sin(angle), 0, 600))) {
+        EXPECT_TRUE(look.seen) << secondsBetween(Timestamp{}, look.time);
+        seen += look.seen;
+    }
+    EXPECT_EQ(seen, 12);  // twice in each of six turns
+}
+
 TEST(ScanningSonarPipeline, PaintingTheFanChangesNoTrack) {
     const auto pings = scanOf(30, 5, -0.3, 300);
     expectSame(run(pings), run(pings, {}, {}, false));
