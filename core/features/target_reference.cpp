@@ -14,6 +14,7 @@ namespace {
 constexpr double contour_factor = 1.41;
 constexpr double strength_left_out_db = 1000.0;
 constexpr int averaged_looks = 6;
+constexpr double purer_share = 0.5;
 constexpr double least_fill = 0.2, greatest_fill = 2.0;
 
 double footprintAcross(const EchoGeometry& geometry) {
@@ -64,30 +65,39 @@ RegionFeatures TargetReference::look(const Extent& extent, const EchoGeometry& g
 
 RegionFeatures TargetReference::expected(const EchoGeometry& geometry) const { return look(now_, geometry); }
 
+bool TargetReference::settled() const { return looks_ >= averaged_looks; }
+
 void TargetReference::learn(const RegionFeatures& seen, const EchoGeometry& geometry, double share) {
     if (share <= 0) return;
     const RegionFeatures now = look(now_, geometry), first = look(first_, geometry);
-    if (looks_ < averaged_looks) return average(seen, now, geometry);
+    if (!settled()) return average(seen, now, geometry);
     RegionFeatures next;
     next.across_range_m = learned(now.across_range_m, seen.across_range_m, first.across_range_m, share);
     next.along_range_m = learned(now.along_range_m, seen.along_range_m, first.along_range_m, share);
     const double fill = learned(now_.fill, own(seen, geometry).fill, first_.fill, share);
     next.area_m2 = fill * ellipseArea(next.across_range_m, next.along_range_m);
     // Strength is followed faster than shape: it changes with aspect and range.
-    next.strength_db = now_.strength_db + 3.0 * share * (seen.strength_db - now_.strength_db);
-    next.level_db = now_.level_db + 3.0 * share * (seen.level_db - now_.level_db);
+    const auto followed = [share](double before, double after) {
+        return before + (after > before ? 3.0 : 1.0) * share * (after - before);
+    };
+    next.strength_db = followed(now_.strength_db, seen.strength_db);
+    next.level_db = followed(now_.level_db, seen.level_db);
     now_ = own(next, geometry);
 }
 
 void TargetReference::average(const RegionFeatures& seen, const RegionFeatures& now, const EchoGeometry& geometry) {
     const double part = 1.0 / ++looks_;
-    const auto mean = [&](double RegionFeatures::*what) { return now.*what + part * (seen.*what - now.*what); };
+    // Echoes run into others' and fade; neither makes them smaller or stronger than they are.
+    const auto mixed = [&](double RegionFeatures::*what, bool purer) {
+        return now.*what + (purer ? purer_share : part / 2.0) * (seen.*what - now.*what);
+    };
+    const bool smaller = seen.area_m2 < now.area_m2;
     RegionFeatures next;
-    next.area_m2 = mean(&RegionFeatures::area_m2);
-    next.across_range_m = mean(&RegionFeatures::across_range_m);
-    next.along_range_m = mean(&RegionFeatures::along_range_m);
-    next.strength_db = mean(&RegionFeatures::strength_db);
-    next.level_db = mean(&RegionFeatures::level_db);
+    next.area_m2 = mixed(&RegionFeatures::area_m2, smaller);
+    next.across_range_m = mixed(&RegionFeatures::across_range_m, smaller);
+    next.along_range_m = mixed(&RegionFeatures::along_range_m, smaller);
+    next.strength_db = mixed(&RegionFeatures::strength_db, seen.strength_db > now.strength_db);
+    next.level_db = mixed(&RegionFeatures::level_db, seen.level_db > now.level_db);
     first_ = now_ = own(next, geometry);
 }
 

@@ -19,7 +19,10 @@ constexpr double gate_sigmas = 3.0;
 constexpr double clutter_score_memory = 0.9;
 constexpr double looked_at_coverage = 0.5;  // the expected place itself was passed over
 constexpr std::size_t longest_history = 64;
-constexpr MultipathRule ghost{.farthest_m = 4.0, .weaker_db = 3.0};
+constexpr MultipathRule copy{.farthest_m = 4.0, .weaker_db = 3.0};
+constexpr double arc_widths = 5.0, arc_elongation = 4.0;
+constexpr double side_lobe_widths = 1.5;    // of the beam, beside the object: nearer is the main lobe
+constexpr double vaguest_side_lobe_m = 1.0;  // where the object is known less well, no more is put down to it
 constexpr double sure_association = 0.9, least_likeness_to_learn = 0.1;
 constexpr double real_claim = 0.2;    // of the strongest claim to a region: less is no competition
 constexpr double one_place = 9.0;     // squared normalised distance
@@ -96,10 +99,31 @@ RegionFeatures Tracker::expectedFeatures(const FollowedTrack& followed, double r
                                                                : followed.first_features;
 }
 
-/// Whether another region explains this one: it then starts no track, and counts little as a track's echo. The flag it
-/// got when it was found is not enough: the stronger one may be completed later.
+/// Whether something else explains this region: it then starts no track, and counts little as a track's echo. The flag
+/// it got when it was found is not enough: the stronger one may be completed later.
 bool Tracker::isGhost(const Region& region) const {
-    return params_.tracking.ghost_density > 0.0 && recent_.explain(region, ghost);
+    return (params_.tracking.ghost_density > 0.0 && recent_.explain(region, copy)) || isSideLobe(region);
+}
+
+/// What is very strong is also heard while the beam looks elsewhere, at the same range: as a long arc, or as pieces of
+/// one. The beam may come by the thing itself only later in the sweep, or never where it has left the sector; but if it
+/// is followed, where it is expected is known.
+bool Tracker::isSideLobe(const Region& region) const {
+    const RegionFeatures& seen = region.features;
+    if (seen.across_range_m > arc_widths * beam_.beam_width_rad * region.range_m &&
+        seen.across_range_m > arc_elongation * seen.along_range_m)
+        return true;
+    return std::any_of(followed_.begin(), followed_.end(), [&](const FollowedTrack& followed) {
+        const RegionFeatures& strong = followed.track.expected_features;
+        if (followed.track.state == TrackState::Lost ||
+            strong.level_db - seen.level_db < params_.tracking.side_lobe_db)
+            return false;
+        const ExpectedPlace place = expectedPlace(predict(followed, region.time), region.head);
+        const double aside = std::abs((region.bearing + region.head.heading.inRadians()) - place.azimuth);
+        const double reach_m = (strong.along_range_m + seen.along_range_m) / 2.0 +
+                               std::min(place.along_sigma_m, vaguest_side_lobe_m);
+        return std::abs(region.range_m - place.range_m) < reach_m && aside > side_lobe_widths * beam_.beam_width_rad;
+    });
 }
 
 double Tracker::worth(const Pairing& pairing, bool ghost) const {
@@ -208,7 +232,8 @@ std::vector<std::size_t> Tracker::bySeniority(const std::vector<std::size_t>& me
 }
 
 bool Tracker::isProvenWithoutEcho(std::size_t member, double none) const {
-    return followed_[member].track.state != TrackState::Tentative && none >= 0.5;
+    const Track& track = followed_[member].track;
+    return (track.state != TrackState::Tentative || track.target) && none >= 0.5;  // the operator vouches for a target
 }
 
 /// What passes behind something stronger looks like that one's copy; a proven track knows it by its place and its
@@ -327,20 +352,23 @@ void Tracker::takeEcho(FollowedTrack& followed, const Region& region, const Pair
     track.nis = pairing.nis;
     track.innovation_m = pairing.innovation_m;
     track.seen_features = region.features;
-    const bool alike = track.score > params_.likeness.learning_score ||
-                       (pairing.probability > sure_association && track.score > least_likeness_to_learn);
+    // The first look is no better than those that follow: it may have been half a look, or another thing's.
+    const bool sure = pairing.probability > sure_association &&
+                      (track.score > least_likeness_to_learn || !followed.reference.settled());
+    const bool alike = track.score > params_.likeness.learning_score || sure;
     const bool trusted = alike && region.clipped_fraction < 0.2 &&
                          track.particles.effective > 0.2 * static_cast<double>(track.particles.weight.size());
     if (trusted) followed.reference.learn(region.features, geometry, params_.likeness.reference_learning);
     track.expected_features = expectedFeatures(followed, region.range_m);
 }
 
-/// A lost track comes back when two looks running are much like it.
+/// A lost track comes back when two looks running are much like it, or when it is proven anew.
 void Tracker::searchAgain(FollowedTrack& followed, LookResult result, Timestamp time) {
     if (result == LookResult::NotLookedAt) return;
     const bool alike = result == LookResult::Seen && followed.track.score > params_.life.reacquire_score;
     followed.good_looks = alike ? followed.good_looks + 1 : 0;
-    if (followed.good_looks < 2) return;
+    const bool proven = result == LookResult::Seen && followed.track.existence > params_.life.confirm_existence;
+    if (followed.good_looks < 2 && !proven) return;
     followed.good_looks = 0;
     reacquire(followed.track, time);
 }

@@ -2,6 +2,8 @@
 
 #include "core/filters/motion_model.hpp"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,7 +19,17 @@ constexpr double least_excess_db = 2.0, strongest_clutter_db = 20.0;
 constexpr double widest_interest = 0.1;    // of the range scale, to each side
 constexpr double vaguest_tentative = 0.1;  // deviation of an unproven track, in range scales
 constexpr int sweeps_to_merge = 3;
+constexpr double sure_pick_m = 1.0;    // a proven track this near a pick is meant
 constexpr double pick_db_per_m = 3.0;  // a region further from the pick has to be so much stronger
+
+bool isProven(const Track& track) {
+    return track.state == TrackState::Confirmed || track.state == TrackState::Coasting;
+}
+
+/// How likely a track at this distance from a pick is meant: the strongest is.
+double pickWorth(const Track& track, double distance_m) {
+    return track.expected_features.strength_db - pick_db_per_m * distance_m;
+}
 
 }  // namespace
 
@@ -100,6 +112,10 @@ GaussianState Tracker::predict(const FollowedTrack& followed, Timestamp time) co
         state.covariance.topLeftCorner<2, 2>() += turn * turn * dt * swing * swing.transpose();
     }
     return state;
+}
+
+Eigen::Vector2d Tracker::placeNow(const FollowedTrack& followed) const {
+    return predict(followed, std::max(beam_.time, followed.track.estimate.time)).mean.head<2>();
 }
 
 /// How far to each side of its expected bearing an object may appear, in radians.
@@ -238,9 +254,39 @@ void Tracker::bear(const Region& region, std::vector<TrackLook>& looks) {
 }
 
 void Tracker::designate(const Eigen::Vector2d& position_m, double radius_m) {
+    if (findLostTarget(position_m, radius_m)) return;
     clearDesignation();
-    designation_ = Designation{position_m, radius_m};
+    designation_ = Designation{.position_m = position_m, .radius_m = radius_m};
     applyDesignation();
+}
+
+/// Where the target is lost and the pick lies where it is searched for, the operator has found it again: it keeps its
+/// name and what is known of its looks. Not where a stronger proven track is pointed at.
+bool Tracker::findLostTarget(const Eigen::Vector2d& position_m, double radius_m) {
+    const auto lost = std::find_if(followed_.begin(), followed_.end(), [](const FollowedTrack& followed) {
+        return followed.track.target && followed.track.state == TrackState::Lost;
+    });
+    if (lost == followed_.end()) return false;
+    const GaussianState search = predict(*lost, std::max(beam_.time, lost->track.estimate.time));
+    const Eigen::Vector2d off = position_m - search.mean.head<2>();
+    const Eigen::Matrix2d spread = search.covariance.topLeftCorner<2, 2>();
+    if (off.dot(spread.inverse() * off) > params_.tracking.gate) return false;
+    for (const FollowedTrack& other : followed_) {
+        const double distance = (placeNow(other) - position_m).norm();
+        if (isProven(other.track) && distance < sure_pick_m && pickWorth(other.track, distance) > pickWorth(lost->track, 0))
+            return false;
+    }
+    GaussianState& found = lost->track.estimate;
+    const double speed = params_.tracking.initial_speed_sigma_mps;
+    found.time = search.time;
+    found.mean << position_m, Eigen::Vector2d::Zero();
+    found.covariance.setZero();
+    found.covariance.diagonal() << Eigen::Vector2d::Constant(radius_m * radius_m / (gate_sigmas * gate_sigmas)),
+        Eigen::Vector2d::Constant(speed * speed);
+    lost->track.existence = std::max(lost->track.existence, params_.life.picked_existence);
+    lost->pass.restart();
+    designation_.reset();
+    return true;
 }
 
 void Tracker::clearDesignation() {
@@ -248,24 +294,27 @@ void Tracker::clearDesignation() {
     for (FollowedTrack& followed : followed_) followed.track.target = false;
 }
 
-/// The first thing near the pick becomes the target. While the beam is still about the place that may change: a wake
-/// or a ghost can show before the object itself does, and the strongest is meant. Of proven tracks the nearest is.
+/// A proven track at the pick is the target; where there is none, the first thing near it. Until that is proven,
+/// too, a stronger one near it takes its turn: a wake or a ghost can show before the object itself does, a sweep
+/// earlier if that looks away, and the strongest is meant.
 void Tracker::applyDesignation() {
     if (!designation_) return;
+    Eigen::Vector2d pick = designation_->position_m;
+    for (const FollowedTrack& followed : followed_)
+        if (followed.track.target) pick = placeNow(followed);  // it may have moved on
     FollowedTrack* best = nullptr;
     double best_worth = -1e9;
     for (FollowedTrack& followed : followed_) {
         if (followed.track.state == TrackState::Lost) continue;
-        const GaussianState state = predict(followed, std::max(beam_.time, followed.track.estimate.time));
-        const double distance = (state.mean.head<2>() - designation_->position_m).norm();
+        const double distance = (placeNow(followed) - pick).norm();
         if (distance > designation_->radius_m) continue;
-        const bool proven = followed.track.state != TrackState::Tentative;
-        const double worth =
-            proven ? 1000.0 - distance : followed.track.seen_features.strength_db - pick_db_per_m * distance;
+        const bool was_proven = designation_->fresh && isProven(followed.track) && distance < sure_pick_m;
+        const double worth = was_proven ? 1000.0 - distance : pickWorth(followed.track, distance);
         if (worth <= best_worth) continue;
         best = &followed;
         best_worth = worth;
     }
+    designation_->fresh = false;
     if (!best) return;
     for (FollowedTrack& followed : followed_)
         if (&followed != best && followed.track.target) {
@@ -274,15 +323,7 @@ void Tracker::applyDesignation() {
         }
     best->track.target = true;
     best->track.existence = std::max(best->track.existence, params_.life.picked_existence);
-    const bool proven = best->track.state != TrackState::Tentative;
-    if (proven || !isBeamNear(designation_->position_m, designation_->radius_m)) designation_.reset();
-}
-
-bool Tracker::isBeamNear(const Eigen::Vector2d& place_m, double radius_m) const {
-    if (beam_.turned_round) return false;
-    const Eigen::Vector2d way = place_m - Eigen::Vector2d(beam_.head.north_m, beam_.head.east_m);
-    const double half_width = std::atan2(radius_m, std::max(way.norm(), 0.1)) + beam_.beam_width_rad + beam_.step_rad;
-    return std::abs(beam_.azimuth - Bearing::radians(std::atan2(way.y(), way.x()))) < half_width;
+    if (best->track.state != TrackState::Tentative) designation_.reset();
 }
 
 void Tracker::endSweep() {

@@ -31,6 +31,7 @@ struct TrackerParams {
     double clutter_per_sweep = 3.0;
     int min_beam_hits = 2;
     double ghost_density = 0.5;
+    double side_lobe_db = 30.0;
     double merge_tracks_m = 1.0;
     int max_tracks = 16;
 };
@@ -64,6 +65,9 @@ struct Described<TrackerParams> {
         Field{
             &P::ghost_density, "ghost_density", "1/m²", 0, 10,
             "Regions per area just behind a stronger one that are its copies by way of bottom or surface; 0: none are"},
+        Field{&P::side_lobe_db, "side_lobe_db", "dB", 10, 80,
+              "An echo at the range of a followed object, at another bearing and this much weaker, is heard by a side "
+              "lobe of the beam; 80: none is"},
         Field{&P::merge_tracks_m, "merge_tracks_m", "m", 0, 10, "Tracks closer than this for three sweeps are one"},
         Field{&P::max_tracks, "max_tracks", "", 1, 64, "Tracks followed at the same time"}};
 };
@@ -117,8 +121,9 @@ public:
     /// Where followed objects are expected at this beam's bearing: there, fainter echoes are worth a look.
     void interestsAt(const BeamMoment& beam, std::vector<RangeOfInterest>& interests) const;
 
-    /// The operator points at a place in the local frame; the first region or track within `radius_m` becomes the
-    /// target, waiting as long as needed. While the beam is still about the place a stronger region takes its turn.
+    /// The operator points at a place in the local frame: at a track that is proven, at the target that was lost, or at
+    /// the first region or track within `radius_m`, waiting as long as needed. Until that is proven, too, a stronger one
+    /// nearby takes its turn.
     void designate(const Eigen::Vector2d& position_m, double radius_m);
     void clearDesignation();
 
@@ -144,12 +149,14 @@ private:
     struct Designation {
         Eigen::Vector2d position_m;
         double radius_m;
+        bool fresh = true;  ///< what is proven by now goes before
     };
 
     GaussianState predict(const FollowedTrack& followed, Timestamp time) const;
     Eigen::Matrix2d measurementCovariance(const Region& region, const RegionFeatures& expected) const;
     EchoGeometry geometryAt(double range_m) const;
     bool isGhost(const Region& region) const;
+    bool isSideLobe(const Region& region) const;
     Pairing pair(const FollowedTrack& followed, const Region& region) const;
     Pairing pairAsPublished(const FollowedTrack& followed, const Region& region) const;
     /// What the region's being the track's echo is worth, against its being clutter or the ghost of another:
@@ -190,7 +197,8 @@ private:
     bool mayBeBorn(const Region& region) const;
     void bear(const Region& region, std::vector<TrackLook>& looks);
     void applyDesignation();
-    bool isBeamNear(const Eigen::Vector2d& place_m, double radius_m) const;
+    bool findLostTarget(const Eigen::Vector2d& position_m, double radius_m);
+    Eigen::Vector2d placeNow(const FollowedTrack& followed) const;
     void giveUpUnseen(std::vector<TrackLook>& looks);
     void learnClutter(const Region& region);
     void endSweep();
