@@ -1,5 +1,6 @@
 #include "core/tracking/association.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -7,9 +8,9 @@
 namespace echotrail {
 namespace {
 
-constexpr std::size_t enumerable_tracks = 4;
-constexpr std::size_t enumerable_regions = 8;
-constexpr double impossible = 1e9;  // cost of a pairing outside the gate
+constexpr double most_events = 10'000;  // joint events that are enumerated
+constexpr double negligible = 1e-3;     // of a track's alternatives: a pairing this unlikely ties no tracks together
+constexpr double impossible = 1e9;      // cost of a pairing outside the gate
 
 std::size_t regionsOf(const AssociationProblem& problem) {
     return problem.weight.empty() ? 0 : problem.weight.front().size();
@@ -90,13 +91,61 @@ Association associateAlone(const AssociationProblem& problem) {
     return alone;
 }
 
-Association associate(const AssociationProblem& problem) {
+namespace {
+
+Association associateTied(const AssociationProblem& problem) {
     if (problem.miss.size() == 1) return associateAlone(problem);
-    if (problem.miss.size() > enumerable_tracks || regionsOf(problem) > enumerable_regions)
-        return associateBest(problem);
+    double events = 1.0;
+    for (const auto& weights : problem.weight)
+        events *= 1.0 + static_cast<double>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
+    if (events > most_events) return associateBest(problem);
     Association result = zero(problem);
     Enumeration(problem, result).run();
     normalise(result);
+    return result;
+}
+
+/// The tracks that are tied to track `first` by regions they both may claim, in order.
+std::vector<std::size_t> tiedTo(std::size_t first, const AssociationProblem& problem) {
+    std::vector<std::size_t> tied{first};
+    std::vector<bool> known(problem.miss.size(), false);
+    known[first] = true;
+    for (std::size_t i = 0; i < tied.size(); ++i)  // grows while it is walked
+        for (std::size_t t = 0; t < known.size(); ++t) {
+            if (known[t]) continue;
+            for (std::size_t j = 0; j < regionsOf(problem) && !known[t]; ++j)
+                known[t] = problem.weight[t][j] > 0 && problem.weight[tied[i]][j] > 0;
+            if (known[t]) tied.push_back(t);
+        }
+    std::sort(tied.begin(), tied.end());
+    return tied;
+}
+
+}  // namespace
+
+Association associate(const AssociationProblem& whole) {
+    AssociationProblem problem = whole;
+    const Association alone = associateAlone(whole);
+    for (std::size_t t = 0; t < problem.miss.size(); ++t)
+        for (std::size_t j = 0; j < regionsOf(problem); ++j)
+            if (alone.probability[t][j] < negligible) problem.weight[t][j] = 0.0;
+    Association result = zero(problem);
+    std::vector<bool> done(problem.miss.size(), false);
+    for (std::size_t first = 0; first < done.size(); ++first) {
+        if (done[first]) continue;
+        const std::vector<std::size_t> tied = tiedTo(first, problem);
+        AssociationProblem part;
+        for (const std::size_t t : tied) {
+            part.weight.push_back(problem.weight[t]);
+            part.miss.push_back(problem.miss[t]);
+        }
+        const Association joint = associateTied(part);
+        for (std::size_t i = 0; i < tied.size(); ++i) {
+            result.probability[tied[i]] = joint.probability[i];
+            result.none[tied[i]] = joint.none[i];
+            done[tied[i]] = true;
+        }
+    }
     return result;
 }
 

@@ -17,9 +17,9 @@ struct Association {
     std::vector<double> none;                      ///< [track]
 };
 
-/// Up to 4 tracks and 8 regions all joint events are enumerated (joint probabilistic data association, Fortmann,
-/// Bar-Shalom & Scheffe 1983). Larger clusters take the one best assignment, each pairing then weighed against a
-/// miss alone.
+/// Pairings of less than 1 in 1000 are left out first; what they no longer tie together is decided apart. Of each part
+/// all joint events are enumerated (joint probabilistic data association, Fortmann, Bar-Shalom & Scheffe 1983), up to
+/// 10 000. Beyond, it takes the one best assignment, each pairing then weighed against a miss alone.
 Association associate(const AssociationProblem& problem);
 
 /// What each track would say if it were alone.

@@ -20,7 +20,7 @@ constexpr double clutter_score_memory = 0.9;
 constexpr double looked_at_coverage = 0.5;  // the expected place itself was passed over
 constexpr std::size_t longest_history = 64;
 constexpr MultipathRule copy{.farthest_m = 4.0, .weaker_db = 3.0};
-constexpr double arc_widths = 5.0, arc_elongation = 4.0;
+constexpr double arc_widths = 2.5, arc_elongation = 2.5;
 constexpr double side_lobe_widths = 1.5;    // of the beam, beside the object: nearer is the main lobe
 constexpr double vaguest_side_lobe_m = 1.0;  // where the object is known less well, no more is put down to it
 constexpr double sure_association = 0.9, least_likeness_to_learn = 0.1;
@@ -105,14 +105,10 @@ bool Tracker::isGhost(const Region& region) const {
     return (params_.tracking.ghost_density > 0.0 && recent_.explain(region, copy)) || isSideLobe(region);
 }
 
-/// What is very strong is also heard while the beam looks elsewhere, at the same range: as a long arc, or as pieces of
-/// one. The beam may come by the thing itself only later in the sweep, or never where it has left the sector; but if it
-/// is followed, where it is expected is known.
+/// What is very strong is also heard while the beam looks elsewhere, at the same range. The beam may come by the thing
+/// itself only later in the sweep; but if it is followed, where it is expected is known.
 bool Tracker::isSideLobe(const Region& region) const {
     const RegionFeatures& seen = region.features;
-    if (seen.across_range_m > arc_widths * beam_.beam_width_rad * region.range_m &&
-        seen.across_range_m > arc_elongation * seen.along_range_m)
-        return true;
     return std::any_of(followed_.begin(), followed_.end(), [&](const FollowedTrack& followed) {
         const RegionFeatures& strong = followed.track.expected_features;
         if (followed.track.state == TrackState::Lost ||
@@ -124,6 +120,14 @@ bool Tracker::isSideLobe(const Region& region) const {
                                std::min(place.along_sigma_m, vaguest_side_lobe_m);
         return std::abs(region.range_m - place.range_m) < reach_m && aside > side_lobe_widths * beam_.beam_width_rad;
     });
+}
+
+/// Whether the region is a thin arc about the head: what side lobes make of something strong that may lie outside the
+/// sector. A track that is proven may well look so where it has run into something else.
+bool Tracker::isArc(const Region& region) const {
+    const RegionFeatures& seen = region.features;
+    return seen.across_range_m > arc_widths * beam_.beam_width_rad * region.range_m &&
+           seen.across_range_m > arc_elongation * seen.along_range_m;
 }
 
 double Tracker::worth(const Pairing& pairing, bool ghost) const {
@@ -153,7 +157,9 @@ void Tracker::processCluster(const std::vector<std::size_t>& members, const std:
         auto& weights = problem.weight.emplace_back();
         for (const std::size_t j : regions) {
             Pairing pairing = pair(followed, pending_[j].region);
-            pairing.cue.weight = worth(pairing, isGhost(pending_[j].region));
+            const bool unproven = followed.track.state == TrackState::Tentative && !followed.track.target;
+            const Region& region = pending_[j].region;
+            pairing.cue.weight = worth(pairing, isGhost(region) || (unproven && isArc(region)));
             weights.push_back(pairing.gated ? existence * pairing.cue.weight * pairing.density : 0.0);
             pairings[m].push_back(pairing);
         }

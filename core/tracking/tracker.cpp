@@ -205,7 +205,7 @@ void Tracker::learnClutter(const Region& region) {
 
 bool Tracker::mayBeBorn(const Region& region) const {
     if (region.clutter_mass || region.multipath || region.only_expected ||
-        region.beam_hits < params_.tracking.min_beam_hits || isGhost(region))
+        region.beam_hits < params_.tracking.min_beam_hits || isGhost(region) || isArc(region))
         return false;
     if (params_.method.births == Births::Picked &&
         !(designation_ && (region.position_m - designation_->position_m).norm() < designation_->radius_m))

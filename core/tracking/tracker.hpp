@@ -20,9 +20,9 @@ namespace echotrail {
 struct TrackerParams {
     double process_noise = 0.05;
     double unknown_turn_deg = 1.0;
-    double range_sigma_m = 0.04;
-    double centroid_share = 0.04;
-    double heading_sigma_deg = 0.3;
+    double range_sigma_m = 0.02;
+    double centroid_share = 0.018;
+    double heading_sigma_deg = 0.14;
     double initial_position_sigma_percent = 1.6;
     double initial_speed_sigma_mps = 0.5;
     double max_speed_mps = 2.0;
@@ -157,6 +157,7 @@ private:
     EchoGeometry geometryAt(double range_m) const;
     bool isGhost(const Region& region) const;
     bool isSideLobe(const Region& region) const;
+    bool isArc(const Region& region) const;
     Pairing pair(const FollowedTrack& followed, const Region& region) const;
     Pairing pairAsPublished(const FollowedTrack& followed, const Region& region) const;
     /// What the region's being the track's echo is worth, against its being clutter or the ghost of another:
