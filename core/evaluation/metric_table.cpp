@@ -253,7 +253,7 @@ constexpr std::array metrics{
            "Confirmed tracks that never followed anything real; interval by the Poisson law", perHour<&M::false_tracks>,
            nullptr, true, true},
     Metric{"debris_tracks_per_hour", "Confirmed tracks of debris", "per hour", 2, Lower,
-           "Confirmed tracks of a real object that is no target: debris or rock", perHour<&M::debris_tracks>, nullptr,
+           "Confirmed tracks of something real that is no target: debris, rock, a wake", perHour<&M::debris_tracks>, nullptr,
            false, true},
     Metric{"target_switches", "Target lost to something else", "per trial", 2, Lower,
            "The followed track went astray and the operator pointed again", perTrial<&M::target_switches>},

@@ -114,11 +114,21 @@ bool TrialJudge::isDebris(const Region& region) const {
     const double time_s = secondsBetween(source_.start, region.time);
     const Pose vehicle = vehiclePose(*scenario_, time_s);
     if (scenario_->rock_share > 0.0 && isAtRock(region, vehicle, altitudeAt(*scenario_, time_s))) return true;
-    return std::any_of(debris_.begin(), debris_.end(), [&](const Debris& object) {
-        const Eigen::Vector2d way(object.north_m - vehicle.north_m, object.east_m - vehicle.east_m);
+    const auto isAt = [&](double north_m, double east_m, double size_m) {
+        const Eigen::Vector2d way(north_m - vehicle.north_m, east_m - vehicle.east_m);
         const Bearing bearing = Bearing::radians(std::atan2(way.y(), way.x()) - vehicle.heading.inRadians());
-        return isNear(region.range_m, region.bearing, way.norm(), bearing, object_reach_m + object.size_m / 2.0);
-    });
+        return isNear(region.range_m, region.bearing, way.norm(), bearing, object_reach_m + size_m / 2.0);
+    };
+    if (std::any_of(debris_.begin(), debris_.end(),
+                    [&](const Debris& object) { return isAt(object.north_m, object.east_m, object.size_m); }))
+        return true;
+    // The bubbles of a wake are no target, but they are there.
+    for (const SimulatedTarget& target : scenario_->targets)
+        for (double age_s = 1.0; age_s <= target.wake_s; age_s += 1.0) {
+            const Eigen::Vector2d place = targetMotion(target, time_s - age_s).position_m;
+            if (isAt(place.x(), place.y(), 0.0)) return true;
+        }
+    return false;
 }
 
 /// Rock stands where it is and is met again in every sweep: a thing, as debris is.

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -67,6 +68,14 @@ std::vector<Eigen::Vector2f> outlineOf(std::span<const RegionPixel> mask, const 
     return outline;
 }
 
+/// Of an excess in levels.
+std::array<double, 256> amplitudeTable() {
+    std::array<double, 256> table{};
+    for (std::size_t level = 0; level < table.size(); ++level)
+        table[level] = std::pow(10.0, static_cast<double>(level) / levels_per_db / 20.0);
+    return table;
+}
+
 }  // namespace
 
 std::array<double, 7> huInvariants(std::span<const RegionPixel> mask) {
@@ -83,12 +92,14 @@ double momentFeature(double m2) { return std::log10(m2 + 1e-3); }
 
 Region measureRegion(const RegionPixels& region, const FanImage& picture, Timestamp epoch) {
     assert(!region.pixels.empty());
+    static const std::array<double, 256> amplitudes = amplitudeTable();
     Region measured;
     double weight = 0, row = 0, column = 0, time_ms = 0, levels = 0;
     int clipped = 0, excess = 0;
     for (const RegionPixel& pixel : region.pixels) {
-        // Weighted by how far it stands out, so that a bright core counts for more than its skirt.
-        const double w = std::max<int>(pixel.excess, 1);
+        // Weighted by the echo's amplitude, so that a bright core counts for more than its skirt, or than the fainter
+        // echo that it has run into.
+        const double w = amplitudes[static_cast<std::size_t>(std::clamp<int>(pixel.excess, 0, 255))];
         weight += w;
         row += w * pixel.row;
         column += w * pixel.column;

@@ -74,9 +74,9 @@ public:
     RegionFeatures expected(const EchoGeometry& geometry) const;
     /// Whether the first few looks are in.
     bool settled() const;
-    /// Learns from a good look. The first few are averaged: the very first may have been half a look. From then on
-    /// widths change by 5 % at most at a time, and never beyond twice or half of what that average would be at this
-    /// range.
+    /// Learns from a good look. The first few are averaged, smaller and stronger ones with more weight: the very first
+    /// may have been half a look, or one that had run into something else. From then on widths change by 5 % at most at
+    /// a time, and never beyond twice or half of what that average would be at this range.
     void learn(const RegionFeatures& seen, const EchoGeometry& geometry, double share);
 
 private:

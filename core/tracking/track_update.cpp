@@ -58,7 +58,8 @@ Eigen::Matrix2d Tracker::measurementCovariance(const Region& region, const Regio
     const double heading = radiansFromDegrees(params_.tracking.heading_sigma_deg);
     const double along_sigma =
         sigma(params_.tracking.range_sigma_m, region.features.along_range_m, expected.along_range_m);
-    const double across_sigma = sigma(range * heading, region.features.across_range_m, expected.across_range_m);
+    const double across_sigma = sigma(std::hypot(params_.tracking.range_sigma_m, range * heading), region.features.across_range_m,
+              expected.across_range_m);
     return along_sigma * along_sigma * along * along.transpose() +
            across_sigma * across_sigma * across * across.transpose();
 }

@@ -46,7 +46,7 @@ struct Described<TrackerParams> {
         Field{&P::unknown_turn_deg, "unknown_turn_deg", "deg/√s", 0, 20,
               "Without a heading sensor: how far the vehicle may turn unnoticed"},
         Field{&P::range_sigma_m, "range_sigma_m", "m", 0.01, 5,
-              "Deviation of every range: sound speed, timing, range bins"},
+              "Deviation of every place, at the least: sound speed, timing, range bins"},
         Field{&P::centroid_share, "centroid_share", "", 0.005, 1,
               "Deviation of a region's centroid, as a share of the region's length and width"},
         Field{&P::heading_sigma_deg, "heading_sigma_deg", "deg", 0, 20, "Deviation of the heading"},

@@ -30,11 +30,31 @@ TEST(TargetReference, PredictsItsOwnLookAndThatAtOtherRanges) {
     }
 }
 
-TEST(TargetReference, AveragesItsFirstLooksForTheVeryFirstMayHaveBeenHalfALook) {
-    TargetReference reference(seen(4.0, 0.3, 5), at(5));
-    for (int i = 0; i < 5; ++i) reference.learn(seen(1.0, 0.3, 5), at(5), 0.1);
-    const double first = seen(4.0, 0.3, 5).across_range_m, later = seen(1.0, 0.3, 5).across_range_m;
-    EXPECT_NEAR(reference.expected(at(5)).across_range_m, (first + 5 * later) / 6, 1e-6);
+TEST(TargetReference, PurerLooksCountForMoreThanThoseThatHaveRunIntoSomethingElse) {
+    const RegionFeatures pure = seen(1.0, 0.3, 5), merged = seen(4.0, 0.3, 5);
+    TargetReference first_merged(merged, at(5)), first_pure(pure, at(5));
+    EXPECT_FALSE(first_merged.settled());
+    for (int i = 0; i < 5; ++i) {
+        first_merged.learn(pure, at(5), 0.1);
+        first_pure.learn(merged, at(5), 0.1);
+    }
+    EXPECT_TRUE(first_merged.settled());
+    const double extent = merged.across_range_m - pure.across_range_m;
+    EXPECT_LT(first_merged.expected(at(5)).across_range_m, pure.across_range_m + 0.05 * extent);
+    EXPECT_LT(first_pure.expected(at(5)).across_range_m, pure.across_range_m + 0.6 * extent);
+}
+
+TEST(TargetReference, FollowsAStrongerEchoFasterThanAFaintOne) {
+    const auto levelAfter = [](double first_db, double then_db) {
+        RegionFeatures a = seen(1.0, 0.3, 5), b = a;
+        a.level_db = first_db;
+        b.level_db = then_db;
+        TargetReference reference(a, at(5));
+        for (int i = 0; i < 8; ++i) reference.learn(b, at(5), 0.1);
+        return reference.expected(at(5)).level_db;
+    };
+    EXPECT_GT(levelAfter(40, 60), 58);
+    EXPECT_GT(levelAfter(60, 40), 48);
 }
 
 TEST(TargetReference, LearnsNothingWhereItIsToldNotTo) {
