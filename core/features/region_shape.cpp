@@ -90,16 +90,16 @@ std::array<double, 7> huInvariants(std::span<const RegionPixel> mask) {
 
 double momentFeature(double m2) { return std::log10(m2 + 1e-3); }
 
-Region measureRegion(const RegionPixels& region, const FanImage& picture, Timestamp epoch) {
+Region measureRegion(const RegionPixels& region, const FanImage& picture, Timestamp epoch,
+                     const RegionShapeParams& params) {
     assert(!region.pixels.empty());
     static const std::array<double, 256> amplitudes = amplitudeTable();
     Region measured;
     double weight = 0, row = 0, column = 0, time_ms = 0, levels = 0;
     int clipped = 0, excess = 0;
     for (const RegionPixel& pixel : region.pixels) {
-        // Weighted by the echo's amplitude, so that a bright core counts for more than its skirt, or than the fainter
-        // echo that it has run into.
-        const double w = amplitudes[static_cast<std::size_t>(std::clamp<int>(pixel.excess, 0, 255))];
+        const int stands_out = std::clamp<int>(pixel.excess, 1, 255);
+        const double w = params.centroid == CentroidWeight::Amplitude ? amplitudes[stands_out] : stands_out;
         weight += w;
         row += w * pixel.row;
         column += w * pixel.column;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/parameters.hpp"
 #include "core/data/fan_image.hpp"
 #include "core/data/pose.hpp"
 #include "core/data/region.hpp"
@@ -9,6 +10,24 @@
 #include <span>
 
 namespace echotrail {
+
+enum class CentroidWeight { Amplitude, Excess };
+
+struct RegionShapeParams {
+    CentroidWeight centroid = CentroidWeight::Amplitude;
+};
+
+template <>
+struct Described<RegionShapeParams> {
+    using P = RegionShapeParams;
+    static constexpr std::string_view group = "Region's place";
+    static constexpr auto fields = std::tuple{ChoiceField<P, CentroidWeight, 2>{
+        &P::centroid,
+        "centroid",
+        {"amplitude", "excess"},
+        "What a pixel of a region counts with for its place: the echo's amplitude, which favours the bright core, or "
+        "the decibels it stands out by"}};
+};
 
 /// Hu's seven invariants of a binary mask: shift, scale and rotation do not change them. As corrected in the method
 /// card, section e; [1] is M2, the one the tracker uses.
@@ -21,7 +40,8 @@ double momentFeature(double m2);
 /// Measures a region of a picture: place, time, area, moment, levels and outline. `epoch` is the source's first
 /// ping, which the picture's beam times count from. Range, bearing and the widths along and across the line of
 /// sight need the head's place: see seenFromHead. Region.beam_hits is left to whoever knows the pings.
-Region measureRegion(const RegionPixels& pixels, const FanImage& picture, Timestamp epoch);
+Region measureRegion(const RegionPixels& pixels, const FanImage& picture, Timestamp epoch,
+                     const RegionShapeParams& params = {});
 
 /// Fills in what depends on where the head was at `region.time`.
 void seenFromHead(Region& region, const RegionPixels& pixels, const FanImage& picture, const Pose& head);

@@ -102,7 +102,7 @@ void RegionFinder::growRegions(const Candidate& candidate, std::vector<Region>& 
     const double lowering = candidate.of_interest ? params_.screen.interest_lowering_db : 0.0;
     const int seed_excess = std::max(levelsFromDb(params_.screen.seed_excess_db - lowering), 1);
     for (const RegionPixels& pixels : grower_(tile_, background_tile_.levels, seed_excess)) {
-        Region region = measureRegion(pixels, tile_, epoch_);
+        Region region = measureRegion(pixels, tile_, epoch_, params_.shape);
         const Row& row = rowNearest(region.time, first, last);
         seenFromHead(region, pixels, tile_, row.head);
         // What lies in the flanks is another candidate's, which has flanks of its own there.

@@ -7,6 +7,7 @@
 #include "core/detection/echo_screen.hpp"
 #include "core/detection/recent_regions.hpp"
 #include "core/detection/region_grower.hpp"
+#include "core/features/region_shape.hpp"
 #include "core/imaging/filters.hpp"
 #include "core/imaging/ray.hpp"
 
@@ -23,12 +24,13 @@ struct RegionFinderParams {
     EchoScreenParams screen;
     GaussianParams smoothing;
     RegionGrowerParams grower;
+    RegionShapeParams shape;
 };
 
 template <>
 struct Described<RegionFinderParams> {
     using P = RegionFinderParams;
-    static constexpr auto stages = std::tuple{&P::conditioner, &P::screen, &P::smoothing, &P::grower};
+    static constexpr auto stages = std::tuple{&P::conditioner, &P::screen, &P::smoothing, &P::grower, &P::shape};
 };
 
 /// From echo lines to regions, as soon as the beam has left them: the screen says where something strong was; just
