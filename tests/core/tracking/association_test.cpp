@@ -81,6 +81,19 @@ TEST(Association, LargeClusterStillPairsEachTrackWithItsOwn) {
     }
 }
 
+TEST(Association, TiesTooWeakToMatterDoNotMakeItAllOrNothing) {
+    constexpr std::size_t tracks = 12;
+    AssociationProblem problem{std::vector(tracks, std::vector(tracks, 1e-6)), std::vector(tracks, 0.1)};
+    for (std::size_t t = 1; t < tracks; ++t) problem.weight[t][t] = 50.0;
+    problem.weight[0][0] = 10.0;
+    problem.weight[1] = problem.weight[0];
+    problem.weight[1][0] = 9.0;  // the first two claim the same region, the others have one each
+    const Association joint = associate(problem), pair = associate({{{10.0}, {9.0}}, {0.1, 0.1}});
+    EXPECT_NEAR(joint.probability[0][0], pair.probability[0][0], 1e-12);
+    EXPECT_NEAR(joint.probability[1][0], pair.probability[1][0], 1e-12);
+    EXPECT_GT(joint.probability[2][2], 0.99);
+}
+
 TEST(Association, TrackWithoutRegionsIsAMiss) {
     EXPECT_EQ(associate({{{}}, {0.1}}).none[0], 1.0);
     EXPECT_EQ(associate({{{0.0}}, {0.0}}).none[0], 1.0);

@@ -16,6 +16,7 @@ struct Object {
     double area_m2 = 0.6;
     double visible_from_s = 0, hidden_from_s = 1e9, shown_again_s = 1e9;
     double peak_db = 60;
+    double strength_db = 25;
     Eigen::Vector2d at(double t) const { return start + t * velocity; }
     bool shows(double t) const { return t >= visible_from_s && (t < hidden_from_s || t >= shown_again_s); }
 };
@@ -74,12 +75,18 @@ private:
         region.time = Timestamp(microsecondsFromSeconds(t));
         region.position_m = place + 0.1 * Eigen::Vector2d(noise_.gaussian(), noise_.gaussian());
         region.range_m = region.position_m.norm();
+        region.bearing = Bearing::radians(std::atan2(region.position_m.y(), region.position_m.x()));
         region.beam_hits = 3;
         // What an ellipse of these widths would give: M2 = [(e − 1/e)/4π]², e = across/along.
         const double along = 0.6, across = object.area_m2 / (M_PI / 4 * along), e = across / along;
-        region.contrast_db = 25;
+        region.contrast_db = object.strength_db;
         region.peak_db = object.peak_db;
-        region.features = {object.area_m2, std::log10(std::pow((e - 1 / e) / (4 * M_PI), 2) + 1e-3), along, across, 25};
+        region.features = {.area_m2 = object.area_m2,
+                           .moment = std::log10(std::pow((e - 1 / e) / (4 * M_PI), 2) + 1e-3),
+                           .along_range_m = along,
+                           .across_range_m = across,
+                           .strength_db = object.strength_db,
+                           .level_db = object.peak_db};
         return region;
     }
     std::vector<Object> objects_;
@@ -182,6 +189,24 @@ TEST(Tracker, AnEchosCopyBehindItStartsNoTrack) {
     EXPECT_EQ(both.tracker.confirmedEver(), 2u);
 }
 
+TEST(Tracker, WhatASideLobeHearsStartsNoTrack) {
+    const std::vector<Object> strong_and_lobe{{.start = {20, 0}, .peak_db = 75}, {.start = {18.1, 8.5}, .peak_db = 40}};
+    Scene scene(strong_and_lobe);
+    scene.run(60);
+    EXPECT_EQ(scene.tracker.confirmedEver(), 1u);
+    Tracker::Params without;
+    without.tracking.side_lobe_db = 80;
+    Scene both(strong_and_lobe, without);
+    both.run(60);
+    EXPECT_EQ(both.tracker.confirmedEver(), 2u);
+}
+
+TEST(Tracker, AThinArcAboutTheHeadStartsNoTrack) {
+    Scene arc({{.start = {20, 0}, .area_m2 = 2.0}});  // 0.6 m along the line of sight, 4.2 m across it
+    arc.run(60);
+    EXPECT_EQ(arc.tracker.confirmedEver(), 0u);
+}
+
 TEST(Tracker, EchoesThatRunIntoEachOtherCountForBothTracks) {
     constexpr double merge_s = 40;
     Scene scene(
@@ -202,6 +227,38 @@ TEST(Tracker, PickBeforeTheTargetShowsWaitsForIt) {
     scene.run(40);
     for (const TrackLook& look : scene.looks)
         EXPECT_EQ(look.target, (look.position_m - Eigen::Vector2d(20, 0)).norm() < 3);
+}
+
+TEST(Tracker, PickIsOfTheStrongerThingThatShowsASweepLater) {
+    const Object wake{.start = {20, 0}, .strength_db = 15}, body{.start = {21, 1.6}, .visible_from_s = 4, .strength_db = 40};
+    Scene scene({wake, body});
+    scene.tracker.designate({20.7, 1.0}, 5.0);
+    scene.run(4);
+    ASSERT_EQ(scene.tracker.tracks().size(), 1u);
+    EXPECT_TRUE(scene.tracker.tracks().front().target);
+    scene.run(60);
+    ASSERT_EQ(scene.tracker.tracks().size(), 2u);
+    for (const Track& track : scene.tracker.tracks())
+        EXPECT_EQ(track.target, (track.estimate.mean.head<2>() - body.start).norm() < 0.8);
+}
+
+TEST(Tracker, PointingAtALostTargetFindsItUnderItsOldId) {
+    Scene scene({{.start = {20, 0}, .hidden_from_s = 40, .shown_again_s = 90}});
+    scene.tracker.designate({20, 0}, 5.0);
+    scene.run(80);
+    const auto target = [&] {
+        for (const Track& track : scene.tracker.tracks())
+            if (track.target) return track;
+        return Track{};
+    };
+    const int id = target().id;
+    ASSERT_EQ(target().state, TrackState::Lost);
+    scene.tracker.designate({20.5, 0.5}, 3.0);
+    EXPECT_EQ(target().id, id);
+    EXPECT_LT((target().estimate.mean.head<2>() - Eigen::Vector2d(20.5, 0.5)).norm(), 1e-9);
+    scene.run(110);
+    EXPECT_EQ(target().id, id);
+    EXPECT_EQ(target().state, TrackState::Confirmed);
 }
 
 TEST(Tracker, SameSeedSameBitsOtherSeedOthers) {
