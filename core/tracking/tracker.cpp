@@ -62,6 +62,7 @@ void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions,
         return unproven || isForgotten(f.track, beam.time, params_.life);
     });
     applyDesignation();
+    hushDropped(looks);
 }
 
 /// A confirmed track that nothing was seen of for long is lost, also where the beam never came by.
@@ -82,6 +83,7 @@ void Tracker::finish(const std::vector<Region>& regions, std::vector<TrackLook>&
     for (const Region& region : regions) pending_.push_back({region});
     for (FollowedTrack& followed : followed_) followed.pass.breakOff();
     settle([](double, double) { return false; }, looks);
+    hushDropped(looks);
 }
 
 GaussianState Tracker::predict(const FollowedTrack& followed, Timestamp time) const {
@@ -248,6 +250,32 @@ void Tracker::clearDesignation() {
     for (FollowedTrack& followed : followed_) followed.track.target = false;
 }
 
+bool Tracker::drop(int track, const Eigen::Vector2d& position_m, double radius_m) {
+    for (FollowedTrack& followed : followed_) {
+        const double distance = (followed.track.estimate.mean.head<2>() - position_m).norm();
+        if (followed.track.id != track || distance > radius_m) continue;
+        followed.dropped = true;
+        followed.track.target = false;
+        return true;
+    }
+    return false;
+}
+
+void Tracker::restore(int track) {
+    for (FollowedTrack& followed : followed_)
+        if (followed.track.id == track) followed.dropped = false;
+}
+
+bool Tracker::isDropped(int track) const {
+    return std::any_of(followed_.begin(), followed_.end(), [&](const FollowedTrack& followed) {
+        return followed.dropped && followed.track.id == track;
+    });
+}
+
+void Tracker::hushDropped(std::vector<TrackLook>& looks) const {
+    std::erase_if(looks, [this](const TrackLook& look) { return isDropped(look.track); });
+}
+
 /// The first thing near the pick becomes the target. While the beam is still about the place that may change: a wake
 /// or a ghost can show before the object itself does, and the strongest is meant. Of proven tracks the nearest is.
 void Tracker::applyDesignation() {
@@ -273,6 +301,7 @@ void Tracker::applyDesignation() {
             followed.track.existence = std::min(followed.track.existence, params_.life.birth_existence);
         }
     best->track.target = true;
+    best->dropped = false;
     best->track.existence = std::max(best->track.existence, params_.life.picked_existence);
     const bool proven = best->track.state != TrackState::Tentative;
     if (proven || !isBeamNear(designation_->position_m, designation_->radius_m)) designation_.reset();
@@ -330,7 +359,8 @@ Timestamp Tracker::settledUntil(Timestamp regions_until) const {
 
 std::vector<Track> Tracker::tracks() const {
     std::vector<Track> tracks;
-    for (const FollowedTrack& followed : followed_) tracks.push_back(followed.track);
+    for (const FollowedTrack& followed : followed_)
+        if (!followed.dropped) tracks.push_back(followed.track);
     return tracks;
 }
 

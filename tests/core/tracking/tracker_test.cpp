@@ -204,6 +204,28 @@ TEST(Tracker, PickBeforeTheTargetShowsWaitsForIt) {
         EXPECT_EQ(look.target, (look.position_m - Eigen::Vector2d(20, 0)).norm() < 3);
 }
 
+TEST(Tracker, ADroppedTrackIsToldOfNoMoreAndKeepsItsEchoesUntilItIsTakenBack) {
+    Scene scene({{.start = {20, 0}}, {.start = {30, 8}}});
+    scene.run(60);
+    ASSERT_EQ(scene.tracker.tracks().size(), 2u);
+    const Track dropped = scene.tracker.tracks().front();
+    const Eigen::Vector2d place = dropped.estimate.mean.head<2>();
+    EXPECT_FALSE(scene.tracker.drop(dropped.id, place + Eigen::Vector2d(0, 9), 3.0)) << "another object's number";
+    EXPECT_TRUE(scene.tracker.drop(dropped.id, place, 3.0));
+    scene.looks.clear();
+    scene.run(120);
+    ASSERT_EQ(scene.tracker.tracks().size(), 1u) << "and nothing began on its echoes";
+    for (const TrackLook& look : scene.looks) EXPECT_NE(look.track, dropped.id);
+    EXPECT_FALSE(scene.looks.empty());
+
+    scene.tracker.restore(dropped.id);
+    ASSERT_EQ(scene.tracker.tracks().size(), 2u);
+    EXPECT_EQ(scene.tracker.tracks().front().state, TrackState::Confirmed);
+    ASSERT_TRUE(scene.tracker.drop(dropped.id, place, 3.0));
+    scene.tracker.designate(place, 3.0);
+    EXPECT_FALSE(scene.tracker.isDropped(dropped.id)) << "who points at it wants it";
+}
+
 TEST(Tracker, SameSeedSameBitsOtherSeedOthers) {
     const auto positions = [](std::uint64_t filter_seed) {
         Scene scene({{{25, 3}, {-0.3, 0.1}}, {{15, -3}, {0.1, 0.2}}}, {}, 5);
