@@ -217,8 +217,9 @@ void MainWindow::makeWindowMenu() {
 }
 
 void MainWindow::askForRecording() {
+    const QString own = bridge_.recordingsFolder();
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open a recording"), QDir(bridge_.recordingsFolder()).exists() ? bridge_.recordingsFolder() : QString(),
+        this, tr("Open a recording"), QDir(own).exists() ? own : QString(),
         tr("Recordings (*.echotrail *.V4LOG *.v4log *.bin);;All files (*)"), nullptr,
         QFileDialog::DontUseNativeDialog);  // the desktop's own would not follow the palette
     if (!path.isEmpty()) openRecording(path);

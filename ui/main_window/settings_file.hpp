@@ -14,9 +14,9 @@ struct SettingsTrouble {
     QString text() const;
 };
 
-/// To be called before anything reads the settings: Qt tells of a damaged file only who reads it first. They are written
-/// whole beside the old ones and then renamed, so a crash leaves the old or the new; a file that is damaged all the same
-/// is renamed to NAME.damaged, and the console begins with its defaults.
+/// To be called before anything reads the settings: Qt tells of a damaged file only who reads it first. They are
+/// written whole beside the old ones and then renamed, so a crash leaves the old or the new; a file that is damaged all
+/// the same is renamed to NAME.damaged, and the console begins with its defaults.
 SettingsTrouble checkSettingsFile();
 
 }  // namespace echotrail

@@ -64,9 +64,9 @@ protected:
         window_.bridge().setSpeed(64.0);
         window_.bridge().play();
         ASSERT_TRUE(await([&] {
-            return window_.bridge().scene() && std::any_of(scene().tracks.begin(), scene().tracks.end(), [](auto& track) {
-                       return track.state == TrackState::Confirmed;
-                   });
+            if (!window_.bridge().scene()) return false;
+            return std::any_of(scene().tracks.begin(), scene().tracks.end(),
+                               [](const Track& track) { return track.state == TrackState::Confirmed; });
         }));
         QTest::keyClick(&window_, Qt::Key_Space);
         ASSERT_TRUE(await([&] { return window_.bridge().status().state == ReplayState::Paused; }));

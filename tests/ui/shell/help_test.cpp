@@ -86,7 +86,8 @@ TEST_F(HelpTest, LinksAndPicturesOfThePagesLeadSomewhere) {
 TEST_F(HelpTest, TheReferencesAreWhatTheProgramSaysOfItself) {
     const ManualBook& book = window_.manual().book();
     for (const ParameterInfo& info : window_.parameters().model().infos())
-        EXPECT_TRUE(book.page("parameters")->text.contains("**" + QString::fromStdString(info.name) + "**")) << info.name;
+        EXPECT_TRUE(book.page("parameters")->text.contains(QString::fromStdString("**" + info.name + "**")))
+            << info.name;
     const QString& keys = book.page("keys")->text;
     int actions = 0;
     for (const QMenu* menu : window_.menuBar()->findChildren<QMenu*>())
