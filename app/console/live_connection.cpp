@@ -33,12 +33,13 @@ QStringList serialPorts() {
 }
 
 LiveAccess liveAccess() {
-    LiveAccess access{LiveConnection::make, serialPorts, {}, {}};
+    LiveAccess access{LiveConnection::make, serialPorts, {}, {}, {}};
     for (const Scenario& scenario : scenarios())
         access.simulated_heads.append({QString::fromStdString(scenario.name),
                                        QString::fromStdString("simulation://" + scenario.name),
                                        QString::fromStdString(scenario.description)});
     access.open_tracker = RemoteConnection::make;
+    access.recordings = QString::fromStdString(recordingsFolder());
     return access;
 }
 

@@ -23,6 +23,8 @@ public:
     void setParams(const LiveRunner::Params& params) override;
     void designate(double range_m, Bearing from_bow) override { runner_.designate(range_m, from_bow); }
     void clearDesignation() override { runner_.clearDesignation(); }
+    void drop(int track, double range_m, Bearing from_bow) override { runner_.drop(track, range_m, from_bow); }
+    void restore(int track) override { runner_.restore(track); }
     void setEnhanced(bool on) override { runner_.setEnhanced(on); }
 
 private:

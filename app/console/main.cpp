@@ -1,4 +1,5 @@
 #include "console_options.hpp"
+#include "libraries.hpp"
 #include "live_connection.hpp"
 #include "screenshot.hpp"
 #include "ui/main_window/main_window.hpp"
@@ -6,6 +7,7 @@
 #include "ui/panels/connection/connection_panel.hpp"
 
 #include <QApplication>
+#include <QIcon>
 #include <QSettings>
 #include <QTimer>
 #include <iostream>
@@ -37,6 +39,8 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName("console");
     QApplication::setOrganizationName("echotrail");
     QApplication::setApplicationVersion(ECHOTRAIL_VERSION);
+    QApplication::setDesktopFileName("echotrail-console");
+    QApplication::setWindowIcon(QIcon(":/echotrail-console.png"));
     QApplication::setStyle("Fusion");
     QSettings::setDefaultFormat(QSettings::IniFormat);
 
@@ -44,14 +48,17 @@ int main(int argc, char** argv) {
                        .play_on_open = !picture,
                        .language = QString::fromStdString(options.language),
                        .steady_alerts = picture,
-                       .live = liveAccess()});
+                       .live = liveAccess(),
+                       .libraries = libraries()});
     if (!options.palette.empty()) window.setTheme(themeFromName(QString::fromStdString(options.palette)));
     window.bridge().setSeed(options.seed);
     window.setParams(options.params);
     window.bridge().setOverridesRecorded(options.params_given);
     window.resize(options.width, options.height);
     window.show();
+    const bool chosen = !options.recording.empty() || !options.sonar.empty() || !options.connect.empty();
     if (options.demonstration) window.openDemonstration();
+    if (!chosen) window.greet();
     if (!options.recording.empty()) window.openRecording(QString::fromStdString(options.recording));
     if (!options.connect.empty()) window.openTracker(QString::fromStdString(options.connect));
     if (!options.sonar.empty())

@@ -77,6 +77,14 @@ void RemoteConnection::clearDesignation() {
     QMetaObject::invokeMethod(&link_, [this] { link_.clearDesignation(); });
 }
 
+void RemoteConnection::drop(int track, double range_m, Bearing from_bow) {
+    QMetaObject::invokeMethod(&link_, [this, track, range_m, from_bow] { link_.drop(track, range_m, from_bow); });
+}
+
+void RemoteConnection::restore(int track) {
+    QMetaObject::invokeMethod(&link_, [this, track] { link_.restore(track); });
+}
+
 void RemoteConnection::control(TrackerControl action) {
     ControlAction wanted = ControlAction::Ask;
     if (action == TrackerControl::Give) wanted = ControlAction::Give;

@@ -22,6 +22,8 @@ public:
     void setParams(const LiveRunner::Params& params) override;
     void designate(double range_m, Bearing from_bow) override;
     void clearDesignation() override;
+    void drop(int track, double range_m, Bearing from_bow) override;
+    void restore(int track) override;
     void setEnhanced(bool on) override { link_.setEnhanced(on); }
     std::optional<LiveRunner::Params> takeParams() override { return link_.takeParams(); }
     std::optional<LiveNotice> takeNotice() override;

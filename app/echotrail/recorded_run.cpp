@@ -37,10 +37,12 @@ void RecordedRunSettings::apply(const std::vector<RunControl>& controls, Scannin
                 if (setParams(control.parameters)) pipeline.setParams(params_);
                 break;
             case RunControl::Kind::Designation:
-                if (!overrides_.designation) pipeline.designate(control.range_m, control.from_bow);
-                break;
             case RunControl::Kind::ClearDesignation:
-                if (!overrides_.designation) pipeline.clearDesignation();
+                if (!overrides_.designation) pipeline.command(control);
+                break;
+            case RunControl::Kind::Drop:
+            case RunControl::Kind::Restore:
+                pipeline.command(control);
                 break;
         }
     }

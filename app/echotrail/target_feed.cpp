@@ -28,6 +28,7 @@ void TargetFeed::take(const Update& update, const ScanningSonarPipeline& pipelin
         if (look.target) fresh_.push_back(look);
         if (!look.target && target_ && look.track == target_->id) target_.reset();  // the designation was taken back
     }
+    if (target_ && pipeline.isDropped(target_->id)) target_.reset();  // no look of it comes any more
     if (fresh_.size() == before) return;  // a copy of the particles, only where they have changed
     bool lives = false;
     for (Track& track : pipeline.tracks())

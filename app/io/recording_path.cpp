@@ -7,9 +7,13 @@
 
 namespace echotrail {
 
+std::string recordingsFolder() {
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+    return data.toStdString() + "/echotrail/recordings";
+}
+
 Result<std::string> newRecordingPath() {
-    const QString folder =
-        QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + "/echotrail/recordings";
+    const QString folder = QString::fromStdString(recordingsFolder());
     if (!QDir().mkpath(folder)) return Error{"the folder " + folder.toStdString() + " cannot be made"};
     const QString stem = folder + "/" + QDateTime::currentDateTimeUtc().toString("yyyyMMdd-HHmmss");
     QString path = stem + ".echotrail";

@@ -166,6 +166,10 @@ void TrackerLink::designate(double range_m, Bearing from_bow) {
     refused(client_.designate(range_m, from_bow), "Not designated");
 }
 void TrackerLink::clearDesignation() { refused(client_.clearDesignation(), "The designation stays"); }
+void TrackerLink::drop(int track, double range_m, Bearing from_bow) {
+    refused(client_.drop(track, range_m, from_bow), "Not dropped");
+}
+void TrackerLink::restore(int track) { refused(client_.restore(track), "Not taken back"); }
 void TrackerLink::control(ControlAction action) { refused(client_.control(action), "Not asked"); }
 
 void TrackerLink::notice(bool problem, const std::string& text) {

@@ -51,6 +51,8 @@ public:
     void setParams(const RemoteScene::Params& params);
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
+    void drop(int track, double range_m, Bearing from_bow);
+    void restore(int track);
     void control(ControlAction action);
 
     // From any thread

@@ -126,6 +126,9 @@ TrackerService::Answer TrackerService::answer(const LinkRequest& request) {
     if (const auto* pick = std::get_if<LinkDesignate>(&request.content))
         runner_.designate(pick->range_m, pick->from_bow);
     if (std::holds_alternative<LinkClearDesignation>(request.content)) runner_.clearDesignation();
+    if (const auto* drop = std::get_if<LinkDrop>(&request.content))
+        runner_.drop(drop->track, drop->range_m, drop->from_bow);
+    if (const auto* back = std::get_if<LinkRestore>(&request.content)) runner_.restore(back->track);
     if (const auto* remark = std::get_if<LinkAnnotate>(&request.content)) {
         runner_.post(EventKind::Annotation, bytesOf(request.name + ": " + remark->text));
         server_->publish(LinkLog{runner_.now(), LinkLog::Weight::Note, request.name + ": " + remark->text});

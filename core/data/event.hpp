@@ -19,6 +19,7 @@ enum class EventKind : std::uint8_t {
     Designation = 7,      ///< text: "range_m bearing_deg" of the operator's pick, or nothing: taken back
     Skip = 8,             ///< text: sequence number of a ping that the tracker could not take in time
     Annotation = 9,       ///< text: a remark of the operator
+    Drop = 10,            ///< text: "id range_m bearing_deg" of a track nobody wants to see, or "id": taken back
 };
 
 /// One of the numbered events that are all the core ever sees: recorded in this order, replayed in this order.

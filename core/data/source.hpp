@@ -34,11 +34,12 @@ struct SourceCounts {
 
 /// What the operator did during a run: it takes effect before the ping that follows it.
 struct RunControl {
-    enum class Kind { Parameters, Designation, ClearDesignation };
+    enum class Kind { Parameters, Designation, ClearDesignation, Drop, Restore };
     Kind kind = Kind::Parameters;
     std::string parameters;  ///< TOML text of all parameters
-    double range_m = 0.0;    ///< of the designated place, from the head
+    double range_m = 0.0;    ///< of the designated place or the dropped track, from the head
     Bearing from_bow;
+    int track = 0;           ///< that is dropped or taken back
     bool operator==(const RunControl&) const = default;
 };
 

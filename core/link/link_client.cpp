@@ -291,6 +291,20 @@ std::uint32_t LinkClient::clearDesignation() {
     return ask(message);
 }
 
+std::uint32_t LinkClient::drop(int track, double range_m, Bearing from_bow) {
+    wire::ToTracker message;
+    message.mutable_drop_track()->set_track(static_cast<std::uint32_t>(track));
+    message.mutable_drop_track()->set_range_m(range_m);
+    message.mutable_drop_track()->set_bearing_rad(from_bow.inRadians());
+    return ask(message);
+}
+
+std::uint32_t LinkClient::restore(int track) {
+    wire::ToTracker message;
+    message.mutable_restore_track()->set_track(static_cast<std::uint32_t>(track));
+    return ask(message);
+}
+
 std::uint32_t LinkClient::annotate(const std::string& text) {
     wire::ToTracker message;
     message.mutable_annotate()->set_text(cleanText(text, link_limits::longest_remark));

@@ -66,6 +66,8 @@ public:
     std::uint32_t setParameters(const std::vector<NamedValue>& values);
     std::uint32_t designate(double range_m, Bearing from_bow);
     std::uint32_t clearDesignation();
+    std::uint32_t drop(int track, double range_m, Bearing from_bow);
+    std::uint32_t restore(int track);
     std::uint32_t annotate(const std::string& text);
     std::uint32_t control(ControlAction action);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace echotrail {
 namespace {
@@ -13,6 +14,15 @@ constexpr double picture_share = 0.5;  // of a limited rate's second, for the pi
 
 SendQueue::Frame frameOf(const wire::ToConsole& message) {
     return std::make_shared<const std::string>(linkFrame(message.SerializeAsString()));
+}
+
+bool isPlace(const auto& message) {
+    return message.range_m() >= 0.0 && message.range_m() <= link_limits::farthest_pick_m &&
+           isSane(message.bearing_rad());
+}
+
+bool isTrack(const auto& message) {
+    return message.track() > 0 && message.track() <= static_cast<std::uint32_t>(std::numeric_limits<int>::max());
 }
 
 }  // namespace
@@ -118,7 +128,7 @@ void LinkServer::welcome(LinkSession& session, const wire::Hello& hello, Timesta
     welcome.set_version(version);
     welcome.set_program(identity_.program);
     welcome.set_name(identity_.name);
-    for (const char* capability : {"parameters", "designate", "annotate", "control", "beams"})
+    for (const char* capability : {"parameters", "designate", "annotate", "control", "beams", "drop"})
         welcome.add_capabilities(capability);
     welcome.set_console(session.console);
     welcome.set_run(run_);
@@ -143,13 +153,22 @@ void LinkServer::takeRequest(LinkSession& session, const wire::ToTracker& messag
         }
         case ToTracker::kDesignate: {
             const wire::Designate& pick = message.designate();
-            if (!(pick.range_m() >= 0.0 && pick.range_m() <= link_limits::farthest_pick_m) ||
-                !isSane(pick.bearing_rad()))
-                return unsound("a place that cannot be");
+            if (!isPlace(pick)) return unsound("a place that cannot be");
             request.content = LinkDesignate{pick.range_m(), Bearing::radians(pick.bearing_rad())};
             return queue(session, message, std::move(request), true, now);
         }
         case ToTracker::kClearDesignation:
+            return queue(session, message, std::move(request), true, now);
+        case ToTracker::kDropTrack: {
+            const wire::DropTrack& drop = message.drop_track();
+            if (!isPlace(drop) || !isTrack(drop)) return unsound("a track or a place that cannot be");
+            request.content =
+                LinkDrop{static_cast<int>(drop.track()), drop.range_m(), Bearing::radians(drop.bearing_rad())};
+            return queue(session, message, std::move(request), true, now);
+        }
+        case ToTracker::kRestoreTrack:
+            if (!isTrack(message.restore_track())) return unsound("a track that cannot be");
+            request.content = LinkRestore{static_cast<int>(message.restore_track().track())};
             return queue(session, message, std::move(request), true, now);
         case ToTracker::kAnnotate: {
             const std::string& text = message.annotate().text();

@@ -145,6 +145,14 @@ struct LinkDesignate {
     Bearing from_bow;
 };
 struct LinkClearDesignation {};
+struct LinkDrop {
+    int track = 0;
+    double range_m = 0.0;
+    Bearing from_bow;
+};
+struct LinkRestore {
+    int track = 0;
+};
 struct LinkAnnotate {
     std::string text;
 };
@@ -152,7 +160,7 @@ struct LinkAnnotate {
 struct LinkRequest {
     std::uint32_t console = 0, request = 0;
     std::string name;  ///< of the console
-    std::variant<LinkSetParameters, LinkDesignate, LinkClearDesignation, LinkAnnotate> content;
+    std::variant<LinkSetParameters, LinkDesignate, LinkClearDesignation, LinkDrop, LinkRestore, LinkAnnotate> content;
 };
 
 enum class ControlAction { Ask = 1, Give = 2, Keep = 3, Take = 4 };

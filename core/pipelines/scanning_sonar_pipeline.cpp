@@ -9,6 +9,8 @@ namespace {
 constexpr double high_frequency_hz = 500e3;  // between the two channels of a SeaKing, 325 and 675 kHz
 constexpr double pick_radius_m = 3.0, pick_radius_share = 0.1;
 
+double pickRadius(double range_m) { return std::max(pick_radius_m, pick_radius_share * range_m); }
+
 }  // namespace
 
 ScanningSonarPipeline::ScanningSonarPipeline(const Params& params, std::uint64_t seed)
@@ -105,11 +107,32 @@ void ScanningSonarPipeline::designate(double range_m, Bearing from_bow) {
 /// The pick is relative to the head as it is now; from here on it is a place in the local frame.
 void ScanningSonarPipeline::applyPick() {
     if (!pick_) return;
-    const double azimuth = pick_->from_bow.inRadians() + vehicle_.heading.inRadians();
-    const Eigen::Vector2d place(beam_.head.north_m + pick_->range_m * std::cos(azimuth),
-                                beam_.head.east_m + pick_->range_m * std::sin(azimuth));
-    tracker_.designate(place, std::max(pick_radius_m, pick_radius_share * pick_->range_m));
+    tracker_.designate(placeOf(pick_->range_m, pick_->from_bow), pickRadius(pick_->range_m));
     pick_.reset();
+}
+
+Eigen::Vector2d ScanningSonarPipeline::placeOf(double range_m, Bearing from_bow) const {
+    const double azimuth = from_bow.inRadians() + vehicle_.heading.inRadians();
+    return {beam_.head.north_m + range_m * std::cos(azimuth), beam_.head.east_m + range_m * std::sin(azimuth)};
+}
+
+void ScanningSonarPipeline::drop(int track, double range_m, Bearing from_bow) {
+    tracker_.drop(track, placeOf(range_m, from_bow), pickRadius(range_m));
+}
+
+void ScanningSonarPipeline::command(const RunControl& control) {
+    switch (control.kind) {
+        case RunControl::Kind::Parameters:
+            break;
+        case RunControl::Kind::Designation:
+            return designate(control.range_m, control.from_bow);
+        case RunControl::Kind::ClearDesignation:
+            return clearDesignation();
+        case RunControl::Kind::Drop:
+            return drop(control.track, control.range_m, control.from_bow);
+        case RunControl::Kind::Restore:
+            return restore(control.track);
+    }
 }
 
 BeamLine ScanningSonarPipeline::lastLine() const {

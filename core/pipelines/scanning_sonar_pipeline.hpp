@@ -5,6 +5,7 @@
 #include "core/data/head_settings.hpp"
 #include "core/data/ping.hpp"
 #include "core/data/pose.hpp"
+#include "core/data/source.hpp"
 #include "core/data/update.hpp"
 #include "core/detection/echo_conditioner.hpp"
 #include "core/detection/echo_screen.hpp"
@@ -63,6 +64,12 @@ public:
     /// head at the latest ping (before any: the first).
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
+    /// As in the tracker; range and bearing are where the operator saw the track, with the radius of a pick.
+    void drop(int track, double range_m, Bearing from_bow);
+    void restore(int track) { tracker_.restore(track); }
+    bool isDropped(int track) const { return tracker_.isDropped(track); }
+    /// What the operator did, except parameters: those are setParams()'s.
+    void command(const RunControl& control);
 
     /// The followed objects as they stand now, particles included: a copy, made when asked for.
     std::vector<Track> tracks() const { return tracker_.tracks(); }
@@ -81,6 +88,7 @@ public:
     std::uint64_t unsynchronisedPings() const { return unsynchronised_; }  ///< dropped: the bearing was not known
 
 private:
+    Eigen::Vector2d placeOf(double range_m, Bearing from_bow) const;
     struct Pick {
         double range_m;
         Bearing from_bow;

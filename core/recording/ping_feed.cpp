@@ -18,21 +18,48 @@ std::optional<double> numberAt(std::string_view& text) {
     return value;
 }
 
-}  // namespace
-
-std::string designationText(const RunControl& designation) {
-    if (designation.kind == RunControl::Kind::ClearDesignation) return {};
-    return ParameterInfo::toText(designation.range_m) + " " + ParameterInfo::toText(designation.from_bow.inDegrees());
+std::string placeText(const RunControl& control) {
+    return ParameterInfo::toText(control.range_m) + " " + ParameterInfo::toText(control.from_bow.inDegrees());
 }
 
-std::optional<RunControl> designationFrom(std::string_view text) {
-    if (text.empty()) return RunControl{.kind = RunControl::Kind::ClearDesignation};
+/// `control` with the place that is all of the text.
+std::optional<RunControl> placeFrom(std::string_view text, RunControl control) {
     const auto range = numberAt(text);
     if (!range || *range < 0.0 || text.empty() || text.front() != ' ') return std::nullopt;
     text.remove_prefix(1);
     const auto bearing = numberAt(text);
     if (!bearing || !text.empty()) return std::nullopt;
-    return RunControl{.kind = RunControl::Kind::Designation, .range_m = *range, .from_bow = Bearing::degrees(*bearing)};
+    control.range_m = *range;
+    control.from_bow = Bearing::degrees(*bearing);
+    return control;
+}
+
+}  // namespace
+
+std::string designationText(const RunControl& designation) {
+    return designation.kind == RunControl::Kind::ClearDesignation ? std::string() : placeText(designation);
+}
+
+std::optional<RunControl> designationFrom(std::string_view text) {
+    if (text.empty()) return RunControl{.kind = RunControl::Kind::ClearDesignation};
+    return placeFrom(text, {.kind = RunControl::Kind::Designation});
+}
+
+std::string dropText(const RunControl& drop) {
+    const std::string track = std::to_string(drop.track);
+    if (drop.kind == RunControl::Kind::Restore) return track;
+    return track + " " + placeText(drop);
+}
+
+std::optional<RunControl> dropFrom(std::string_view text) {
+    RunControl control{.kind = RunControl::Kind::Restore};
+    const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), control.track);
+    if (failure != std::errc() || control.track <= 0) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+    if (text.empty()) return control;
+    if (text.front() != ' ') return std::nullopt;
+    control.kind = RunControl::Kind::Drop;
+    return placeFrom(text.substr(1), control);
 }
 
 PingFeed::PingFeed(double sound_speed_mps, double longest_gap_s, std::set<std::uint64_t> skips)
@@ -68,16 +95,23 @@ void PingFeed::take(const Event& event) {
             break;
         }
         case EventKind::Designation:
-            if (const auto designation = designationFrom(textOf(event)))
-                queue_.emplace_back(*designation);
-            else
-                ++bad_controls_;
+            takeControl(designationFrom(textOf(event)));
+            break;
+        case EventKind::Drop:
+            takeControl(dropFrom(textOf(event)));
             break;
         case EventKind::SentBytes:
         case EventKind::Skip:
         case EventKind::Annotation:
             break;  // change nothing
     }
+}
+
+void PingFeed::takeControl(std::optional<RunControl> control) {
+    if (control)
+        queue_.emplace_back(*std::move(control));
+    else
+        ++bad_controls_;
 }
 
 void PingFeed::finish() {

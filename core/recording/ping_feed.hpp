@@ -17,6 +17,9 @@ namespace echotrail {
 /// The payload of EventKind::Designation, and back; nothing for a text that is none.
 std::string designationText(const RunControl& designation);
 std::optional<RunControl> designationFrom(std::string_view text);
+/// The same of EventKind::Drop.
+std::string dropText(const RunControl& drop);
+std::optional<RunControl> dropFrom(std::string_view text);
 
 /// From the numbered events of a run to its pings, in one way for a live run and for its recording, so that both see
 /// the same pings with the same poses and the same controls before them.
@@ -48,6 +51,7 @@ private:
         Microseconds received{0};  ///< monotonic
     };
     bool isReady(const Held& held) const;
+    void takeControl(std::optional<RunControl> control);
 
     seanet::PingReceiver receiver_;
     NavigationStream navigation_;

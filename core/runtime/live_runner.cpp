@@ -77,6 +77,16 @@ void LiveRunner::designate(double range_m, Bearing from_bow) {
 
 void LiveRunner::clearDesignation() { post(EventKind::Designation, {}); }
 
+void LiveRunner::drop(int track, double range_m, Bearing from_bow) {
+    const RunControl wanted{
+        .kind = RunControl::Kind::Drop, .range_m = range_m, .from_bow = from_bow, .track = track};
+    post(EventKind::Drop, bytesOf(dropText(wanted)));
+}
+
+void LiveRunner::restore(int track) {
+    post(EventKind::Drop, bytesOf(dropText({.kind = RunControl::Kind::Restore, .track = track})));
+}
+
 void LiveRunner::record(ResultRow row) {
     if (!recorder_) return;
     if (row.kind == UpdateKind::Summary) summed_up_ = true;
@@ -157,21 +167,11 @@ std::optional<LocalPlane> LiveRunner::planeOfPings() const {
 }
 
 void LiveRunner::apply(const RunControl& control) {
-    switch (control.kind) {
-        case RunControl::Kind::Parameters: {
-            Params params;
-            if (!applyRecordedParameters(params, control.parameters)) break;  // the feed has counted it
-            pipeline_.setParams(params);
-            feed_.setLongestGap(params.navigation.longest_navigation_gap_s);
-            break;
-        }
-        case RunControl::Kind::Designation:
-            pipeline_.designate(control.range_m, control.from_bow);
-            break;
-        case RunControl::Kind::ClearDesignation:
-            pipeline_.clearDesignation();
-            break;
-    }
+    if (control.kind != RunControl::Kind::Parameters) return pipeline_.command(control);
+    Params params;
+    if (!applyRecordedParameters(params, control.parameters)) return;  // the feed has counted it
+    pipeline_.setParams(params);
+    feed_.setLongestGap(params.navigation.longest_navigation_gap_s);
 }
 
 void LiveRunner::tell(const Update& update, Timestamp settled) {

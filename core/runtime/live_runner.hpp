@@ -64,6 +64,9 @@ public:
     void setParams(const Params& params);
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
+    /// As in the pipeline.
+    void drop(int track, double range_m, Bearing from_bow);
+    void restore(int track);
     void setFanPainting(bool on) { paint_fan_ = on; }
     /// Whether scenes carry the locally enhanced picture too: some milliseconds each, on the pipeline's thread.
     void setEnhanced(bool on) { enhanced_ = on; }

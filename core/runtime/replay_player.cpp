@@ -105,7 +105,7 @@ bool ReplayPlayer::advance() {
     latest_ = pipeline_->process(ping_, source_->navigation());
     builder_->add(ping_, latest_, processorSeconds() - before, *pipeline_);
     ++position_;
-    applyDesignationsHere();
+    applyWishesHere();
     return true;
 }
 
@@ -117,7 +117,7 @@ void ReplayPlayer::restart() {
     position_ = 0;
     at_end_ = false;
     params_told_ = false;
-    applyDesignationsHere();
+    applyWishesHere();
 }
 
 void ReplayPlayer::setParams(const Params& params, std::uint64_t revision) {
@@ -128,42 +128,39 @@ void ReplayPlayer::setParams(const Params& params, std::uint64_t revision) {
     pipeline_->setParams(params);
 }
 
-void ReplayPlayer::designate(double range_m, Bearing from_bow) { remember({position_, true, range_m, from_bow}); }
-
-void ReplayPlayer::clearDesignation() { remember({position_, false, 0.0, {}}); }
-
-void ReplayPlayer::remember(const Designation& designation) {
-    // A new wish replaces those made further on in an earlier run: they would surprise the operator now.
-    std::erase_if(designations_, [&](const Designation& old) { return old.position >= designation.position; });
-    designations_.push_back(designation);
-    apply(designation);
+void ReplayPlayer::designate(double range_m, Bearing from_bow) {
+    remember({.kind = RunControl::Kind::Designation, .range_m = range_m, .from_bow = from_bow});
 }
 
-void ReplayPlayer::apply(const Designation& designation) {
-    if (designation.wanted)
-        pipeline_->designate(designation.range_m, designation.from_bow);
-    else
-        pipeline_->clearDesignation();
+void ReplayPlayer::clearDesignation() { remember({.kind = RunControl::Kind::ClearDesignation}); }
+
+void ReplayPlayer::drop(int track, double range_m, Bearing from_bow) {
+    remember({.kind = RunControl::Kind::Drop, .range_m = range_m, .from_bow = from_bow, .track = track});
+}
+
+void ReplayPlayer::restore(int track) { remember({.kind = RunControl::Kind::Restore, .track = track}); }
+
+void ReplayPlayer::remember(const RunControl& control) {
+    // A new wish replaces those made further on in an earlier run: they would surprise the operator now.
+    std::erase_if(wishes_, [&](const Wish& old) {
+        return old.position > position_ || (old.position == position_ && old.control.kind == control.kind &&
+                                            old.control.track == control.track);
+    });
+    wishes_.push_back({position_, control});
+    pipeline_->command(control);
 }
 
 /// What the operator did in the run that was recorded. Parameters only until the operator of the replay sets some.
 void ReplayPlayer::applyRecorded(ScanningSonarPipeline& pipeline) {
     for (const RunControl& control : source_->takeControls()) {
-        switch (control.kind) {
-            case RunControl::Kind::Parameters: {
-                Params params;
-                if (!as_recorded_ || !applyRecordedParameters(params, control.parameters)) break;
-                pipeline.setParams(params);
-                if (&pipeline == pipeline_.get()) params_told_ = false;
-                break;
-            }
-            case RunControl::Kind::Designation:
-                pipeline.designate(control.range_m, control.from_bow);
-                break;
-            case RunControl::Kind::ClearDesignation:
-                pipeline.clearDesignation();
-                break;
+        if (control.kind != RunControl::Kind::Parameters) {
+            pipeline.command(control);
+            continue;
         }
+        Params params;
+        if (!as_recorded_ || !applyRecordedParameters(params, control.parameters)) continue;
+        pipeline.setParams(params);
+        if (&pipeline == pipeline_.get()) params_told_ = false;
     }
 }
 
@@ -172,15 +169,18 @@ std::optional<ReplayPlayer::Params> ReplayPlayer::takeRecordedParams() {
     return pipeline_->params();
 }
 
-void ReplayPlayer::applyDesignationsHere() {
-    for (const Designation& designation : designations_)
-        if (designation.position == position_) apply(designation);
+void ReplayPlayer::applyWishesHere() {
+    for (const Wish& wish : wishes_)
+        if (wish.position == position_) pipeline_->command(wish.control);
 }
 
 bool ReplayPlayer::designated() const {
     bool wanted = false;
-    for (const Designation& designation : designations_)
-        if (designation.position <= position_) wanted = designation.wanted;
+    for (const Wish& wish : wishes_) {
+        if (wish.position > position_) continue;
+        if (wish.control.kind == RunControl::Kind::Designation) wanted = true;
+        if (wish.control.kind == RunControl::Kind::ClearDesignation) wanted = false;
+    }
     return wanted;
 }
 

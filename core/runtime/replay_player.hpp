@@ -41,6 +41,8 @@ public:
     /// As in the pipeline; remembered with the position, so that a run from the start meets it at the same ping.
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
+    void drop(int track, double range_m, Bearing from_bow);
+    void restore(int track);
     /// Whether scenes carry the locally enhanced picture too: some milliseconds each.
     void setEnhanced(bool on) { enhanced_ = on; }
 
@@ -60,11 +62,9 @@ public:
 
 private:
     /// A wish of the operator, and the position it was made at.
-    struct Designation {
+    struct Wish {
         std::uint64_t position = 0;
-        bool wanted = false;  ///< else: cleared
-        double range_m = 0.0;
-        Bearing from_bow;
+        RunControl control;
     };
     struct Analysis {
         std::unique_ptr<ScanningSonarPipeline> pipeline;
@@ -75,10 +75,9 @@ private:
     bool windTo(std::uint64_t index);
     std::optional<Ping> read();
     Ping readKnown();
-    void remember(const Designation& designation);
-    void apply(const Designation& designation);
+    void remember(const RunControl& control);
     void applyRecorded(ScanningSonarPipeline& pipeline);
-    void applyDesignationsHere();
+    void applyWishesHere();
 
     std::unique_ptr<PingSource> source_;
     Params params_;
@@ -88,7 +87,7 @@ private:
     std::optional<SceneBuilder> builder_;
     std::optional<Analysis> analysis_;
     std::vector<Timestamp> scanned_times_;
-    std::vector<Designation> designations_;  ///< in the order of their positions
+    std::vector<Wish> wishes_;  ///< in the order of their positions
     Timeline timeline_;
     SourceCounts counts_;
     Ping ping_;

@@ -87,6 +87,14 @@ public:
         player_.clearDesignation();
         changed_ = true;
     }
+    void drop(int track, double range_m, Bearing from_bow) {
+        player_.drop(track, range_m, from_bow);
+        changed_ = true;
+    }
+    void restore(int track) {
+        player_.restore(track);
+        changed_ = true;
+    }
     void setLoop(std::optional<PingSpan> loop) { loop_ = loop; }
     void setEnhanced(bool on) {
         player_.setEnhanced(on);
@@ -298,6 +306,12 @@ void ReplayRunner::designate(double range_m, Bearing from_bow) {
 }
 void ReplayRunner::clearDesignation() {
     post([](Loop& loop) { loop.clearDesignation(); });
+}
+void ReplayRunner::drop(int track, double range_m, Bearing from_bow) {
+    post([=](Loop& loop) { loop.drop(track, range_m, from_bow); });
+}
+void ReplayRunner::restore(int track) {
+    post([=](Loop& loop) { loop.restore(track); });
 }
 void ReplayRunner::setEnhanced(bool on) {
     post([=](Loop& loop) { loop.setEnhanced(on); });

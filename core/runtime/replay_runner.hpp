@@ -65,6 +65,8 @@ public:
     void setParams(const Params& params, std::uint64_t revision);
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
+    void drop(int track, double range_m, Bearing from_bow);
+    void restore(int track);
     void setEnhanced(bool on);  ///< scenes carry the locally enhanced picture too
     /// Play returns to `begin` at `end`; none: plays to the end.
     void setLoop(std::optional<PingSpan> loop);

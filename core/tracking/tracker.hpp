@@ -90,6 +90,7 @@ struct FollowedTrack {
     int good_looks = 0;             ///< running, of a lost track: two bring it back
     int quiet_sweeps = 0;           ///< since the last echo
     int shadowed_sweeps = 0;        ///< running, in which an older track was as good as here
+    bool dropped = false;           ///< followed on, but nobody is told of it
 };
 
 /// Follows several objects at once, one of them the operator's target.
@@ -126,8 +127,15 @@ public:
     /// nearby takes its turn.
     void designate(const Eigen::Vector2d& position_m, double radius_m);
     void clearDesignation();
+    /// The operator does not want to see this track any more. It keeps its echoes, so that no other begins on them, but
+    /// neither looks nor tracks() tell of it. Only where it is within `radius_m` of the place: in a run with other
+    /// parameters the number may be another object's. False where there is none.
+    bool drop(int track, const Eigen::Vector2d& position_m, double radius_m);
+    /// It is told of again, as also when it is designated; nothing where it was given up meanwhile.
+    void restore(int track);
+    bool isDropped(int track) const;
 
-    /// The tracks that are followed, lost ones that may still come back included.
+    /// The tracks that are followed, lost ones that may still come back included, dropped ones not.
     std::vector<Track> tracks() const;
     /// No look that is still to come is of an earlier time, provided that no region is: see `regions_until`.
     Timestamp settledUntil(Timestamp regions_until) const;
@@ -200,6 +208,7 @@ private:
     void applyDesignation();
     bool findLostTarget(const Eigen::Vector2d& position_m, double radius_m);
     Eigen::Vector2d placeNow(const FollowedTrack& followed) const;
+    void hushDropped(std::vector<TrackLook>& looks) const;
     void giveUpUnseen(std::vector<TrackLook>& looks);
     void learnClutter(const Region& region);
     void endSweep();

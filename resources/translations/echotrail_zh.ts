@@ -1170,10 +1170,6 @@
         <translation>截图已写入 %1。</translation>
     </message>
     <message>
-        <source>Echotrail %1: operator console and tracker for a mechanically scanned sonar. GPL-3.0-or-later.</source>
-        <translation>Echotrail %1：机械扫描声纳的操作控制台与跟踪器。GPL-3.0-or-later。</translation>
-    </message>
-    <message>
         <source>Connect to &amp;tracker…</source>
         <translation>连接跟踪器(&amp;T)…</translation>
     </message>
@@ -1372,6 +1368,193 @@
     <message>
         <source>Address: tls://HOST:PORT, or tcp://127.0.0.1:PORT on this machine</source>
         <translation>地址：tls://主机:端口，本机为 tcp://127.0.0.1:端口</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>手册(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Opens it at what the mouse points at, or at what has the focus</source>
+        <translation>打开与鼠标所指之处或焦点所在之处有关的一页</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>导览(&amp;T)</translation>
+    </message>
+    <message>
+        <source>The three steps of the first start, on the demonstration</source>
+        <translation>首次启动时的三个步骤，在演示中进行</translation>
+    </message>
+    <message>
+        <source>Versions and licences of Echotrail and its libraries</source>
+        <translation>Echotrail 及其库的版本与许可</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>手册</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>导览</translation>
+    </message>
+    <message>
+        <source>D&amp;rop the selected one</source>
+        <translation>丢弃所选航迹(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Nobody is told of it any more, and none begins on its echoes; Ctrl+Z takes it back</source>
+        <translation>不再显示与报告，其回波上也不再产生新航迹；Ctrl+Z 恢复</translation>
+    </message>
+    <message>
+        <source>Operate</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Docks for the watch (Ctrl+1)</source>
+        <translation>值班用的窗口布局 (Ctrl+1)</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>回看</translation>
+    </message>
+    <message>
+        <source>Docks for looking through recordings (Ctrl+2)</source>
+        <translation>查看记录用的窗口布局 (Ctrl+2)</translation>
+    </message>
+    <message>
+        <source>Tune</source>
+        <translation>调参</translation>
+    </message>
+    <message>
+        <source>Docks for setting parameters (Ctrl+3)</source>
+        <translation>设置参数用的窗口布局 (Ctrl+3)</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>The settings in %1 cannot be read or written: this session is not remembered.</source>
+        <translation>设置文件 %1 无法读写：本次会话不会被记住。</translation>
+    </message>
+    <message>
+        <source>The settings in %1 are damaged and cannot be set aside: delete that file.</source>
+        <translation>设置文件 %1 已损坏且无法移开：请删除该文件。</translation>
+    </message>
+    <message>
+        <source>The settings were damaged: they are kept as %1, and the console begins with its defaults.</source>
+        <translation>设置文件已损坏：已另存为 %1，控制台以默认设置启动。</translation>
+    </message>
+    <message>
+        <source>drop of %1</source>
+        <translation>丢弃 %1</translation>
+    </message>
+    <message>
+        <source>Track %1 dropped; Ctrl+Z takes it back, and so does a click on its echo.</source>
+        <translation>已丢弃航迹 %1；按 Ctrl+Z 恢复，点击其回波亦可。</translation>
+    </message>
+    <message>
+        <source>The run is recorded in %1; Ctrl+Shift+O opens it.</source>
+        <translation>本次运行已记录到 %1；按 Ctrl+Shift+O 打开。</translation>
+    </message>
+    <message>
+        <source>Click two places, or drag from one to the other; Esc puts the measure away.</source>
+        <translation>依次点击两处，或从一处拖到另一处；Esc 收起测距。</translation>
+    </message>
+    <message>
+        <source>Click the corners on the fan; Enter closes the area, Esc gives it up.</source>
+        <translation>在扇面上点击角点；Enter 闭合区域，Esc 放弃。</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::ManualView</name>
+    <message>
+        <source>Back to the page before</source>
+        <translation>返回上一页</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>手册目录</translation>
+    </message>
+    <message>
+        <source>Find in the manual</source>
+        <translation>在手册中查找</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>手册</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>查找结果</translation>
+    </message>
+    <message>
+        <source>Nothing. Try one word, or a part of it.</source>
+        <translation>没有找到。请尝试一个词或其中一部分。</translation>
+    </message>
+    <message>
+        <source>on or off</source>
+        <translation>开或关</translation>
+    </message>
+    <message>
+        <source>Every parameter</source>
+        <translation>全部参数</translation>
+    </message>
+    <message>
+        <source>Limits: %1. Default: %2.</source>
+        <translation>范围：%1。默认：%2。</translation>
+    </message>
+    <message>
+        <source>From the next ping.</source>
+        <translation>自下一个 ping 起生效。</translation>
+    </message>
+    <message>
+        <source>From the next sweep.</source>
+        <translation>自下一次扫描起生效。</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>作用</translation>
+    </message>
+    <message>
+        <source>About Echotrail</source>
+        <translation>关于 Echotrail</translation>
+    </message>
+    <message>
+        <source>operator console and tracker for a mechanically scanned sonar.</source>
+        <translation>机械扫描声纳的操作控制台与跟踪器。</translation>
+    </message>
+    <message>
+        <source>Licence: GPL-3.0-or-later. You may use, study, change and share it; it comes without any warranty.</source>
+        <translation>许可：GPL-3.0-or-later。您可以使用、研究、修改和分享；不提供任何担保。</translation>
+    </message>
+    <message>
+        <source>The whole licence</source>
+        <translation>许可全文</translation>
+    </message>
+    <message>
+        <source>It stands on</source>
+        <translation>所用的库</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>库</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>许可</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>用途</translation>
     </message>
 </context>
 <context>
@@ -1922,6 +2105,18 @@ is taken to lie still, bow north</source>
         <source>undo a parameter, mark or area; with Shift: redo</source>
         <translation>撤销参数、标记或区域；加 Shift：重做</translation>
     </message>
+    <message>
+        <source>drop the selected track; Ctrl Z takes it back</source>
+        <translation>丢弃所选航迹；Ctrl Z 恢复</translation>
+    </message>
+    <message>
+        <source>docks to operate, review, tune</source>
+        <translation>操作、回看、调参的窗口布局</translation>
+    </message>
+    <message>
+        <source>the manual, at what the mouse points at</source>
+        <translation>手册中与鼠标所指之处有关的一页</translation>
+    </message>
 </context>
 <context>
     <name>echotrail::StartPage</name>
@@ -2407,6 +2602,65 @@ is taken to lie still, bow north</source>
     </message>
 </context>
 <context>
+    <name>echotrail::TourPanel</name>
+    <message>
+        <source>Point at your target</source>
+        <translation>指定您的目标</translation>
+    </message>
+    <message>
+        <source>A simulated approach is playing. Wait until an echo has a blue circle, and &lt;b&gt;click&lt;/b&gt; it: brackets show that it is the target now. &lt;b&gt;Tracks&lt;/b&gt;, on the right, says where it is and why its last echo was taken. &lt;b&gt;Delete&lt;/b&gt; takes the designation back.</source>
+        <translation>正在播放模拟的接近过程。等到某个回波出现蓝色圆圈，&lt;b&gt;点击&lt;/b&gt;它：括号表示它已成为目标。右侧的&lt;b&gt;航迹&lt;/b&gt;说明它在何处、为何取其最近的回波。&lt;b&gt;Delete&lt;/b&gt; 取消指定。</translation>
+    </message>
+    <message>
+        <source>Mark and measure</source>
+        <translation>标记与测距</translation>
+    </message>
+    <message>
+        <source>Put the cursor on the fan and press &lt;b&gt;K&lt;/b&gt;: a mark stays at that place of the ground. &lt;b&gt;M&lt;/b&gt; measures between two places: click one, then the other; &lt;b&gt;Esc&lt;/b&gt; puts the measure away.</source>
+        <translation>将光标放在扇面上并按 &lt;b&gt;K&lt;/b&gt;：标记留在该处海底。&lt;b&gt;M&lt;/b&gt; 测量两处之间：先点一处，再点另一处；&lt;b&gt;Esc&lt;/b&gt; 收起。</translation>
+    </message>
+    <message>
+        <source>Change a parameter</source>
+        <translation>更改参数</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+F&lt;/b&gt;, type &lt;b&gt;seed excess&lt;/b&gt;, press the down key, type a number and &lt;b&gt;Enter&lt;/b&gt;. The picture follows at once; &lt;b&gt;Ctrl+Z&lt;/b&gt; takes it back, as it does a mark. &lt;b&gt;F1&lt;/b&gt; explains what the mouse points at, &lt;b&gt;?&lt;/b&gt; shows all keys.</source>
+        <translation>&lt;b&gt;Ctrl+F&lt;/b&gt;，输入 &lt;b&gt;seed excess&lt;/b&gt;，按向下键，输入数值并按 &lt;b&gt;Enter&lt;/b&gt;。画面随即变化；&lt;b&gt;Ctrl+Z&lt;/b&gt; 撤回，标记亦然。&lt;b&gt;F1&lt;/b&gt; 解释鼠标所指之处，&lt;b&gt;?&lt;/b&gt; 显示全部按键。</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>第 %1 步，共 %2 步：%3</translation>
+    </message>
+    <message>
+        <source>✓ Done.</source>
+        <translation>✓ 已完成。</translation>
+    </message>
+    <message>
+        <source>Try it now, or go on.</source>
+        <translation>现在试一试，或继续下一步。</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>退出导览</translation>
+    </message>
+    <message>
+        <source>Help → Tour brings it back</source>
+        <translation>可从“帮助 → 导览”再次打开</translation>
+    </message>
+</context>
+<context>
     <name>echotrail::TrackModel</name>
     <message>
         <source>confirmed</source>
@@ -2510,6 +2764,14 @@ is taken to lie still, bow north</source>
     <message>
         <source>Your name for the selected track (Ctrl+R), taken by Enter; this console&apos;s only</source>
         <translation>您对所选航迹的命名 (Ctrl+R)，按 Enter 生效；仅限本控制台</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>丢弃</translation>
+    </message>
+    <message>
+        <source>Take the selected track off fan and list (Shift+Delete); Ctrl+Z brings it back</source>
+        <translation>从扇面与列表中移除所选航迹 (Shift+Delete)；Ctrl+Z 恢复</translation>
     </message>
 </context>
 <context>

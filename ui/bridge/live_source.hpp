@@ -76,6 +76,9 @@ public:
     virtual void setParams(const LiveRunner::Params& params) = 0;
     virtual void designate(double range_m, Bearing from_bow) = 0;
     virtual void clearDesignation() = 0;
+    /// Nobody is told of this track any more, which is at this place; restore() takes it back.
+    virtual void drop(int track, double range_m, Bearing from_bow) = 0;
+    virtual void restore(int track) = 0;
     /// The parameters in force, where someone else has changed them or they were not taken.
     virtual std::optional<LiveRunner::Params> takeParams() { return std::nullopt; }
     virtual std::optional<LiveNotice> takeNotice() { return std::nullopt; }
@@ -102,6 +105,7 @@ struct LiveAccess {
     std::function<QStringList()> ports;  ///< addresses of this computer's serial ports, now
     QList<SimulatedHeadChoice> simulated_heads;
     TrackerOpener open_tracker;
+    QString recordings;  ///< the folder that live runs are recorded in
 };
 
 }  // namespace echotrail

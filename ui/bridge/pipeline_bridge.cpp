@@ -258,6 +258,14 @@ void PipelineBridge::designate(double range_m, double bearing_from_bow_rad) {
     if (runner_) runner_->designate(range_m, from_bow);
     if (live_) live_->designate(range_m, from_bow);
 }
+void PipelineBridge::dropTrack(int track, double range_m, Bearing from_bow) {
+    if (runner_) runner_->drop(track, range_m, from_bow);
+    if (live_) live_->drop(track, range_m, from_bow);
+}
+void PipelineBridge::restoreTrack(int track) {
+    if (runner_) runner_->restore(track);
+    if (live_) live_->restore(track);
+}
 void PipelineBridge::setEnhanced(bool on) {
     enhanced_ = on;
     if (runner_) runner_->setEnhanced(on);

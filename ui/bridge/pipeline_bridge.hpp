@@ -31,6 +31,7 @@ public:
     void setLiveAccess(LiveAccess access) { live_access_ = std::move(access); }
     bool canGoLive() const { return live_access_.open != nullptr; }
     QStringList livePorts() const { return live_access_.ports ? live_access_.ports() : QStringList(); }
+    const QString& recordingsFolder() const { return live_access_.recordings; }
     const QList<SimulatedHeadChoice>& simulatedHeads() const { return live_access_.simulated_heads; }
     /// Polls a head instead of what is open: opened(), or connectFailed() and nothing has changed.
     void openLive(const QString& sonar, const QString& navigation, bool record);
@@ -79,6 +80,9 @@ public Q_SLOTS:
     void cancelSeek();
     void designate(double range_m, double bearing_from_bow_rad);
     void clearDesignation();
+    /// As in LiveSource.
+    void dropTrack(int track, double range_m, echotrail::Bearing from_bow);
+    void restoreTrack(int track);
     /// Scenes carry the locally enhanced picture too, also those of sources opened later.
     void setEnhanced(bool on);
     /// Hands out what is new. Called by the display timer; tests call it too.

@@ -11,9 +11,11 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QShortcut>
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace echotrail {
 namespace {
@@ -86,7 +88,9 @@ void ParameterForm::makeTree() {
     header->resizeSection(ParameterModel::Default, metrics.horizontalAdvance("Default 00"));
     header->resizeSection(ParameterModel::Value, metrics.horizontalAdvance("00 000.000 +-"));
     tree_->setColumnHidden(ParameterModel::Unit, true);  // the limits under the name say it; names need the room
-    header->resizeSection(ParameterModel::State, metrics.horizontalAdvance("✕ refused "));
+    const int state = std::max(metrics.horizontalAdvance("✕ " + ParameterModel::tr("refused")),
+                               metrics.horizontalAdvance("✓ " + ParameterModel::tr("in force")));
+    header->resizeSection(ParameterModel::State, state + metrics.height());
     header->resizeSection(ParameterModel::Star, metrics.height() * 3 / 2);
     connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
         showRow(current);
@@ -130,6 +134,10 @@ QWidget* ParameterForm::makeSearchRow() {
         filter_.setSearch(words);
         openGroups();
     });
+    connect(search_, &QLineEdit::returnPressed, this, &ParameterForm::editFirst);
+    auto* down = new QShortcut(QKeySequence(Qt::Key_Down), search_);
+    down->setContext(Qt::WidgetShortcut);
+    connect(down, &QShortcut::activated, this, &ParameterForm::editFirst);
     connect(changed_only_, &QCheckBox::toggled, this, [this](bool on) {
         filter_.setChangedOnly(on);
         openGroups();
@@ -139,6 +147,17 @@ QWidget* ParameterForm::makeSearchRow() {
         openGroups();
     });
     return row;
+}
+
+/// From the search to the value of the first parameter that was found.
+void ParameterForm::editFirst() {
+    const QModelIndex value = filter_.index(0, ParameterModel::Value, filter_.index(0, 0));
+    if (!value.isValid()) return;
+    tree_->setFocus(Qt::ShortcutFocusReason);
+    if (tree_->currentIndex() == value)
+        tree_->edit(value);
+    else
+        tree_->setCurrentIndex(value);
 }
 
 QWidget* ParameterForm::makeButtons() {
@@ -211,6 +230,11 @@ void ParameterForm::focusSearch() {
 }
 
 void ParameterForm::resetRow() { model_.reset(currentParameter()); }
+
+QString ParameterForm::selectedName() const {
+    const ParameterInfo* info = model_.info(currentParameter());
+    return info ? QString::fromStdString(info->name) : QString();
+}
 
 void ParameterForm::toggleFavourite() {
     const QModelIndex row = currentParameter();

@@ -26,6 +26,8 @@ public:
 
     QTreeView& tree() { return *tree_; }
     void focusSearch();
+    /// The name of the selected parameter as in files; empty where none is.
+    QString selectedName() const;
 
 public Q_SLOTS:
     void loadFile();
@@ -53,6 +55,7 @@ private:
     void openGroups();
     void updateButtons();
     QModelIndex currentParameter() const;
+    void editFirst();
 
     ParameterModel& model_;
     ParameterPresets presets_;

@@ -2,6 +2,7 @@
 
 #include "core/base/parameters.hpp"
 
+#include <QFocusEvent>
 #include <QLineEdit>
 #include <QWheelEvent>
 #include <algorithm>
@@ -42,6 +43,12 @@ void ParameterSpinBox::stepBy(int steps) {
     const double tidy = whole_ ? std::round(value) : std::round(value * 1e9) / 1e9;
     setTypedText(QString::fromStdString(ParameterInfo::toText(tidy)));
     Q_EMIT stepped();
+}
+
+/// What is typed replaces the value that was there; a click only puts the cursor.
+void ParameterSpinBox::focusInEvent(QFocusEvent* event) {
+    QAbstractSpinBox::focusInEvent(event);
+    if (event->reason() != Qt::MouseFocusReason) selectAll();
 }
 
 void ParameterSpinBox::wheelEvent(QWheelEvent* event) {

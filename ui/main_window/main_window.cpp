@@ -5,6 +5,7 @@
 #include "ui/main_window/dock_title.hpp"
 #include "ui/main_window/message_strip.hpp"
 #include "ui/main_window/recent_recordings.hpp"
+#include "ui/main_window/settings_file.hpp"
 #include "ui/main_window/shortcuts_overlay.hpp"
 #include "ui/main_window/start_page.hpp"
 #include "ui/main_window/status_bar.hpp"
@@ -44,6 +45,7 @@ constexpr int slow_opening_ms = 300;      // a quick one says nothing, so that t
 }  // namespace
 
 MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(parent), options_(options) {
+    const SettingsTrouble trouble = options_.remember ? checkSettingsFile() : SettingsTrouble();
     applyLanguage(*qApp, firstLanguage());
     if (options_.remember) theme_ = themeFromName(QSettings().value("palette").toString());
     applyTheme(*qApp, theme_);  // first: all lengths come from its font
@@ -55,19 +57,21 @@ MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(pa
     makeDocks();
     makeStatusBars();
     shortcuts_ = new ShortcutsOverlay(this);
+    makeHelp();
+    makeRoles();
+    nameDocks();
     connectTracker();
     makeMenus();
     connectBridge();
     qApp->installEventFilter(this);
-    first_layout_ = saveState(layout_version);
     if (options_.remember) {
-        QSettings settings;
-        restoreGeometry(settings.value("geometry").toByteArray());
-        laid_out_ = restoreState(settings.value("layout").toByteArray(), layout_version);
+        restoreGeometry(QSettings().value("geometry").toByteArray());
         start_->setRecent(recentRecordings());
     }
+    restoreRole();
     setTheme(theme_);
     showStart(true);
+    if (!trouble.text().isEmpty()) say(trouble.text(), false);
 }
 
 void MainWindow::makeCentre() {
@@ -126,11 +130,11 @@ void MainWindow::makeDocks() {
     makeAlerts();
     makeChartDock();
     makeBeamAndPlan();
-    shareOut();
     connect(tracks_, &TracksPanel::trackSelected, fan_, &FanView::setSelectedTrack);
     connect(fan_, &FanView::trackSelected, tracks_, &TracksPanel::selectTrack);
     connect(tracks_, &TracksPanel::designateRequested, this,
             [this](double range_m, Bearing from_bow) { bridge_.designate(range_m, from_bow.inRadians()); });
+    connect(tracks_, &TracksPanel::dropRequested, this, &MainWindow::dropTrack);
     connect(tracks_, &TracksPanel::muteRequested, this, [this](int id, bool on) { alerts_->setMuted(id, on); });
     for (const auto happening : {&PipelineBridge::opened, &PipelineBridge::closed})
         connect(&bridge_, happening, tracks_, &TracksPanel::startAnew);
@@ -140,14 +144,6 @@ void MainWindow::makeDocks() {
     connect(parameters_, &ParameterPanel::summaryChanged, this,
             [this](const QString& summary) { setSummary(parameters_dock_, summary); });
     parameters_->showParams();
-}
-
-void MainWindow::shareOut() {
-    // Widths in the proportions of the design: 252 and 378 of 1600; the card of a track is tall.
-    const int line = fontMetrics().height();
-    resizeDocks({connection_dock_, tracks_dock_}, {14 * line, 23 * line}, Qt::Horizontal);
-    resizeDocks({tracks_dock_, alerts_dock_}, {42 * line, 10 * line}, Qt::Vertical);
-    resizeDocks({time_line_dock_}, {8 * line}, Qt::Vertical);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
@@ -188,7 +184,6 @@ void MainWindow::makeStatusBars() {
     statusBar()->setContentsMargins(fontMetrics().height() / 2, 0, fontMetrics().height() / 2, 0);
     statusBar()->addWidget(foot_, 1);
     statusBar()->addPermanentWidget(keys_);
-    nameDocks();
 }
 
 void MainWindow::connectBridge() {
@@ -215,6 +210,7 @@ void MainWindow::connectBridge() {
         openChart();
         onStatus({});
         showStart(true);
+        tellRecorded();
     });
     connect(&bridge_, &PipelineBridge::liveChanged, this, &MainWindow::onLive);
     connect(&bridge_, &PipelineBridge::sceneChanged, this, &MainWindow::onScene);
@@ -234,6 +230,7 @@ void MainWindow::openDemonstration() {
 
 void MainWindow::onOpened() {
     messages_->clear();
+    tellRecorded();  // of a live run that this has ended
     const SourceInfo& info = bridge_.info();
     if (!opening_path_.isEmpty() && options_.remember) {
         rememberRecording(opening_path_);
@@ -308,12 +305,7 @@ void MainWindow::showStart(bool on) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (options_.remember) {
-        QSettings settings;
-        settings.setValue("geometry", saveGeometry());
-        settings.setValue("layout", saveState(layout_version));
-        settings.setValue("palette", themeName(theme_));
-    }
+    keepLayout();
     QMainWindow::closeEvent(event);
 }
 
@@ -325,6 +317,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) { openRecording(event->mimeData()->urls().front().toLocalFile()); }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    followHand(*event);
     // Space belongs to play everywhere, so Enter presses the button that has the focus.
     if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();

@@ -3,16 +3,19 @@
 #include "core/data/area.hpp"
 #include "ui/bridge/pipeline_bridge.hpp"
 #include "ui/language/language.hpp"
+#include "ui/manual/reference_pages.hpp"
 #include "ui/style/palette.hpp"
 
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QUndoGroup>
 #include <QUndoStack>
+#include <array>
 
 class QAction;
 class QLabel;
 class QStackedWidget;
+class QTabBar;
 
 namespace echotrail {
 
@@ -26,6 +29,7 @@ struct CommandedSector;
 class FanView;
 class GuardWatch;
 class LayersPanel;
+class ManualView;
 class MarkModel;
 class MessageStrip;
 class ParameterPanel;
@@ -34,8 +38,15 @@ class ShortcutsOverlay;
 class StaleBanner;
 class StartPage;
 class StatusBar;
+class TourPanel;
 class TracksPanel;
 class TransportPanel;
+
+/// What the docks are arranged for.
+enum class Role { Operate, Review, Tune };
+inline constexpr int role_count = 3;
+/// "operate", "review", "tune": as in the settings.
+QString roleName(Role role);
 
 /// The console's window: the fan in the middle, docks about it, and the keys.
 class MainWindow : public QMainWindow {
@@ -48,6 +59,7 @@ public:
         QString language;            ///< "en", "zh"; empty: as last time, or the computer's
         bool steady_alerts = false;  ///< nothing flashes
         LiveAccess live;
+        std::vector<LibraryNotice> libraries;  ///< for the manual's page of versions and licences
     };
 
     explicit MainWindow(const Options& options, QWidget* parent = nullptr);
@@ -72,6 +84,14 @@ public:
     void setTheme(Theme theme);
     /// Of everything that is on the screen or comes to it.
     void setLanguage(Language language);
+    /// The docks as they were left in this role, or as they are meant for it.
+    void setRole(Role role);
+    Role role() const { return role_; }
+    /// Opens the manual at a page, and at words on it.
+    void showManual(const QString& page, const QString& words = {});
+    ManualView& manual() { return *manual_; }
+    /// At the first start: the demonstration with a tour; afterwards nothing.
+    void greet();
     /// Parameters given from outside; the form shows them.
     void setParams(const PipelineBridge::Params& params);
     /// Writes a picture of the window, or of the fan only. False, and a line in the strip, where that failed.
@@ -88,6 +108,18 @@ protected:
 private:
     void makeDocks();
     void shareOut();
+    void makeHelp();
+    void helpHere();
+    void showTour();
+    void followHand(const QEvent& event);
+    void makeRoles();
+    void nameRoles();
+    void makeRoleMenu(QMenu& menu);
+    void restoreRole();
+    void restoreLayout();
+    void keepLayout();
+    void arrangeDocks();
+    void dropTrack(int id, double range_m, Bearing from_bow);
     void makeStatusBars();
     void makeCentre();
     void connectBridge();
@@ -135,7 +167,6 @@ private:
     void openLast();
     void takeScreenshot(bool fan_only);
     void nextTheme();
-    void showAbout();
     void resetLayout();
     void showStart(bool on);
     void makeConnectionDock();
@@ -144,6 +175,7 @@ private:
     void commandSector(const CommandedSector& sector);
     void onOpened();
     void onLive(const LiveState& state);
+    void tellRecorded();
     void onScene(const std::shared_ptr<const Scene>& scene);
     void onStatus(const ReplayStatus& status);
     void say(const QString& text, bool ok);
@@ -164,8 +196,16 @@ private:
     QDockWidget* alerts_dock_ = nullptr;
     QAction* edit_sector_ = nullptr;
     bool recording_failure_told_ = false;
-    static constexpr int layout_version = 3;  ///< of what is saved: another one is not restored
-    QByteArray first_layout_;
+    QString recorded_to_;  ///< the live run's log; empty where nothing is recorded
+    static constexpr int layout_version = 4;  ///< of what is saved: another one is not restored
+    Role role_ = Role::Operate;
+    QTabBar* role_tabs_ = nullptr;
+    std::array<QByteArray, role_count> layouts_;  ///< of the roles that were left in this session
+    bool pointed_ = true;                         ///< the mouse was moved after the focus was set by keys
+    ManualView* manual_ = nullptr;
+    TourPanel* tour_ = nullptr;
+    QDockWidget* manual_dock_ = nullptr;
+    QDockWidget* tour_dock_ = nullptr;
     bool laid_out_ = false;  ///< as it was left last time, or by shareOut()
     QMenu* recent_menu_ = nullptr;
     QStackedWidget* centre_ = nullptr;

@@ -41,7 +41,7 @@ void MainWindow::makeBeamAndPlan() {
 
 QList<QDockWidget*> MainWindow::docks() const {
     return {connection_dock_, layers_dock_, chart_dock_,     tracks_dock_, parameters_dock_,
-            plan_dock_,       alerts_dock_, time_line_dock_, beam_dock_};
+            plan_dock_,       alerts_dock_, time_line_dock_, beam_dock_,   manual_dock_};
 }
 
 void MainWindow::addDockKeys(QMenu& menu) {

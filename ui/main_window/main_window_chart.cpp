@@ -49,8 +49,13 @@ void MainWindow::makeChartMenu() {
         need_source_.push_back(action);
         return action;
     };
+    const auto toggle = [this] {
+        fan_->setMeasuring(!fan_->measures());
+        if (fan_->measures())
+            say(tr("Click two places, or drag from one to the other; Esc puts the measure away."), true);
+    };
     QAction* measure = add(tr("&Measure"), {}, tr("Range and bearing from one place to another: drag, or click both"),
-                           [this] { fan_->setMeasuring(!fan_->measures()); });
+                           toggle);
     measure->setShortcuts({QKeySequence("M"), QKeySequence("F4")});
     followFan(*measure, [](const FanView& fan) { return fan.measures(); });
     add(tr("Mar&k"), QKeySequence("K"), tr("Mark the place under the cursor, else the target"), [this] { setMark(); });
@@ -120,7 +125,10 @@ void MainWindow::setMark() {
     if (!chart_dock_->visibleRegion().isEmpty()) chart_->editMark(number);
 }
 
-void MainWindow::drawArea(Area::Kind kind) { fan_->drawArea(kind); }
+void MainWindow::drawArea(Area::Kind kind) {
+    fan_->drawArea(kind);
+    if (fan_->drawsArea()) say(tr("Click the corners on the fan; Enter closes the area, Esc gives it up."), true);
+}
 
 /// Names whose local frame the ground is in; a live run begins a new one every time.
 QString MainWindow::chartSource() const {

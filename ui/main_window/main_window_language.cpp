@@ -1,6 +1,7 @@
 #include "ui/main_window/main_window.hpp"
 #include "ui/main_window/shortcuts_overlay.hpp"
 #include "ui/main_window/status_bar.hpp"
+#include "ui/manual/manual_view.hpp"
 #include "ui/panels/layers/layers_panel.hpp"
 #include "ui/style/upright_scroll.hpp"
 
@@ -57,6 +58,8 @@ void MainWindow::retranslate() {
     control_actions_.clear();
     makeMenus();
     nameDocks();
+    nameRoles();
+    manual_->refresh();
     status_->nameChips();
     status_->showTheme(themeTitle(theme_));
     shortcuts_->update();
@@ -79,6 +82,8 @@ void MainWindow::nameDocks() {
     plan_dock_->setWindowTitle(tr("Plan"));
     alerts_dock_->setWindowTitle(tr("Alerts"));
     time_line_dock_->setWindowTitle(tr("Time line"));
+    manual_dock_->setWindowTitle(tr("Manual"));
+    tour_dock_->setWindowTitle(tr("Tour"));
     keys_->setText(tr("Space play   ← → 5 s   Shift one sweep   Ctrl one ping   , . speed   ? shortcuts"));
     if (!bridge_.isOpen()) foot_->setText(tr("No source open"));
 }

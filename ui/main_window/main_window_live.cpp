@@ -1,5 +1,7 @@
 #include "ui/main_window/dock_title.hpp"
 #include "ui/main_window/main_window.hpp"
+#include "ui/main_window/recent_recordings.hpp"
+#include "ui/main_window/start_page.hpp"
 #include "ui/main_window/status_bar.hpp"
 #include "ui/panels/connection/connection_panel.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
@@ -70,10 +72,20 @@ void MainWindow::commandSector(const CommandedSector& sector) {
     parameters_->model().change(parameterValues(params), tr("sector"));
 }
 
+/// Where the run that has just ended can be found again.
+void MainWindow::tellRecorded() {
+    const QString path = std::exchange(recorded_to_, QString());
+    if (path.isEmpty()) return;
+    if (options_.remember) rememberRecording(path);
+    start_->setRecent(options_.remember ? recentRecordings() : QStringList{path});
+    say(tr("The run is recorded in %1; Ctrl+Shift+O opens it.").arg(path), true);
+}
+
 void MainWindow::onLive(const LiveState& state) {
     showTracker(state);
     showSector();
     status_->showLive(state, bridge_.params().navigation.longest_navigation_gap_s);
+    if (!bridge_.isTracker()) recorded_to_ = QString::fromStdString(state.run.recorder.path);
     const std::string& failure = state.run.recorder.error;
     if (!failure.empty() && !std::exchange(recording_failure_told_, true))
         say(tr("Recording has ended: %1. Make room and connect again.").arg(QString::fromStdString(failure)), false);

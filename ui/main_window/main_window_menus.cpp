@@ -1,12 +1,12 @@
 #include "ui/main_window/main_window.hpp"
 #include "ui/main_window/message_strip.hpp"
 #include "ui/main_window/recent_recordings.hpp"
-#include "ui/main_window/shortcuts_overlay.hpp"
 #include "ui/main_window/status_bar.hpp"
 #include "ui/panels/layers/layers_panel.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
 #include "ui/panels/tracks/tracks_panel.hpp"
 #include "ui/panels/transport/transport_panel.hpp"
+#include "ui/style/formatter.hpp"
 #include "ui/views/fan_view.hpp"
 
 #include <QAction>
@@ -17,12 +17,26 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
+#include <QSettings>
 #include <QStandardPaths>
+#include <QUndoCommand>
 
 namespace echotrail {
 namespace {
 
 constexpr double arrow_seconds = 5.0;
+
+/// Told again of after undo(); redo() is the drop itself.
+class DropChange : public QUndoCommand {
+public:
+    DropChange(const QString& what, std::function<void()> drop, std::function<void()> restore)
+        : QUndoCommand(what), drop_(std::move(drop)), restore_(std::move(restore)) {}
+    void redo() override { drop_(); }
+    void undo() override { restore_(); }
+
+private:
+    std::function<void()> drop_, restore_;
+};
 
 }  // namespace
 
@@ -138,6 +152,17 @@ void MainWindow::makeTrackMenu() {
         [this] { tracks_->editName(); });
     add(tr("&Mute the selected one"), QKeySequence("Ctrl+M"), tr("No alerts about it; the same again wants them back"),
         [this] { tracks_->toggleMute(); });
+    add(tr("D&rop the selected one"), QKeySequence("Shift+Delete"),
+        tr("Nobody is told of it any more, and none begins on its echoes; Ctrl+Z takes it back"),
+        [this] { tracks_->dropSelected(); });
+}
+
+void MainWindow::dropTrack(int id, double range_m, Bearing from_bow) {
+    const QString name = Formatter::trackId(id);
+    chart_undo_.push(new DropChange(
+        tr("drop of %1").arg(name), [this, id, range_m, from_bow] { bridge_.dropTrack(id, range_m, from_bow); },
+        [this, id] { bridge_.restoreTrack(id); }));
+    say(tr("Track %1 dropped; Ctrl+Z takes it back, and so does a click on its echo.").arg(name), true);
 }
 
 void MainWindow::makeRecordingMenu() {
@@ -183,21 +208,19 @@ void MainWindow::makeParametersMenu() {
 
 void MainWindow::makeWindowMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Window"));
+    makeRoleMenu(menu);
+    menu.addSeparator();
     for (QDockWidget* dock : docks()) menu.QWidget::addAction(dock->toggleViewAction());
     addDockKeys(menu);
     menu.addSeparator();
     addAction(menu, tr("&Reset layout"), {}, [this] { resetLayout(); });
 }
 
-void MainWindow::makeHelpMenu() {
-    QMenu& menu = *menuBar()->addMenu(tr("&Help"));
-    addAction(menu, tr("&Keyboard shortcuts"), QKeySequence("?"), [this] { shortcuts_->toggle(); });
-    addAction(menu, tr("&About"), {}, [this] { showAbout(); });
-}
-
 void MainWindow::askForRecording() {
+    const QString own = bridge_.recordingsFolder();
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open a recording"), {}, tr("Recordings (*.echotrail *.V4LOG *.v4log *.bin);;All files (*)"), nullptr,
+        this, tr("Open a recording"), QDir(own).exists() ? own : QString(),
+        tr("Recordings (*.echotrail *.V4LOG *.v4log *.bin);;All files (*)"), nullptr,
         QFileDialog::DontUseNativeDialog);  // the desktop's own would not follow the palette
     if (!path.isEmpty()) openRecording(path);
 }
@@ -227,6 +250,7 @@ void MainWindow::takeScreenshot(bool fan_only) {
 
 void MainWindow::setTheme(Theme theme) {
     theme_ = theme;
+    if (options_.remember) QSettings().setValue("palette", themeName(theme));
     applyTheme(*qApp, theme);
     status_->showTheme(themeTitle(theme));
     update();
@@ -237,18 +261,6 @@ void MainWindow::nextTheme() {
     if (theme_ == Theme::Night) getting_brighter_ = true;
     if (theme_ == Theme::Day) getting_brighter_ = false;
     setTheme(theme_ == Theme::Dusk ? (getting_brighter_ ? Theme::Day : Theme::Night) : Theme::Dusk);
-}
-
-void MainWindow::resetLayout() {
-    restoreState(first_layout_, layout_version);
-    for (QDockWidget* dock : docks()) dock->show();
-    shareOut();
-}
-
-void MainWindow::showAbout() {
-    say(tr("Echotrail %1: operator console and tracker for a mechanically scanned sonar. GPL-3.0-or-later.")
-            .arg(QApplication::applicationVersion()),
-        true);
 }
 
 }  // namespace echotrail

@@ -12,6 +12,7 @@ namespace echotrail {
 MessageStrip::MessageStrip(QWidget* parent) : QFrame(parent) {
     label_ = new QLabel(this);
     label_->setWordWrap(true);
+    label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long path does not widen the window
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     button_ = new QPushButton(this);
     button_->setFocusPolicy(Qt::TabFocus);

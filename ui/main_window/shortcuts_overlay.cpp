@@ -11,7 +11,7 @@
 namespace echotrail {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 38> keys{{
+constexpr std::array<std::pair<const char*, const char*>, 41> keys{{
     {"Space", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "play or pause")},
     {"← →", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "5 s back or on")},
     {"Shift ← →", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "one sweep back or on")},
@@ -23,6 +23,7 @@ constexpr std::array<std::pair<const char*, const char*>, 38> keys{{
     {"Ctrl R", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "name the selected track")},
     {"Ctrl M", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "mute the selected track: no alerts about it")},
     {"Delete", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "clear the designation")},
+    {"Shift Delete", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "drop the selected track; Ctrl Z takes it back")},
     {"Ctrl click", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "on a track: read its card")},
     {"A", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "acknowledge the alert on top")},
     {"Shift A", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "silence alerts for 30 s")},
@@ -48,6 +49,8 @@ constexpr std::array<std::pair<const char*, const char*>, 38> keys{{
     {"Ctrl F", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "find a parameter")},
     {"Ctrl B", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "star the selected parameter")},
     {"Ctrl Z", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "undo a parameter, mark or area; with Shift: redo")},
+    {"Ctrl 1 2 3", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "docks to operate, review, tune")},
+    {"F1", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "the manual, at what the mouse points at")},
     {"Esc", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "leave an edit or this sheet")},
     {"?", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "this sheet")},
 }};

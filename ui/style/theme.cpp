@@ -51,12 +51,15 @@ void dress(QApplication& app) {
         app.setProperty(styled_property, true);
     }
     const QFont font = applicationFont(current_scale);
+    // Half of the time of a start goes into dressing every widget: not again in what it wears already.
+    const QString sheet = styleSheet(currentPalette(), UiMetrics(font));
+    if (app.styleSheet() == sheet) return;
     const QPalette palette = qtPalette(currentPalette());
     QApplication::setFont(font);
     QApplication::setPalette(palette);
     QToolTip::setFont(font);
     QToolTip::setPalette(palette);
-    app.setStyleSheet(styleSheet(currentPalette(), UiMetrics(font)));
+    app.setStyleSheet(sheet);
 }
 
 }  // namespace

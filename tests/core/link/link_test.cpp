@@ -195,6 +195,9 @@ TEST(Link, TheOtherRequestsReachTheRun) {
     wire.carry({&shore});
     bridge.client.designate(25.0, Bearing::degrees(-10.0));
     bridge.client.clearDesignation();
+    bridge.client.drop(7, 30.0, Bearing::degrees(4.0));
+    bridge.client.restore(7);
+    const auto nonsense = bridge.client.drop(0, 30.0, {});
     const auto remark = shore.client.annotate("a seal\nor two");
     wire.carry({&bridge, &shore});
     const auto pick = wire.server.nextRequest(wire.now());
@@ -203,6 +206,15 @@ TEST(Link, TheOtherRequestsReachTheRun) {
     EXPECT_EQ(std::get<LinkDesignate>(pick->content).from_bow, Bearing::degrees(-10.0));
     const auto clear = wire.server.nextRequest(wire.now());
     ASSERT_TRUE(clear && std::holds_alternative<LinkClearDesignation>(clear->content));
+    const auto drop = wire.server.nextRequest(wire.now());
+    ASSERT_TRUE(drop && std::holds_alternative<LinkDrop>(drop->content));
+    EXPECT_EQ(std::get<LinkDrop>(drop->content).track, 7);
+    EXPECT_EQ(std::get<LinkDrop>(drop->content).range_m, 30.0);
+    EXPECT_EQ(std::get<LinkDrop>(drop->content).from_bow, Bearing::degrees(4.0));
+    const auto back = wire.server.nextRequest(wire.now());
+    ASSERT_TRUE(back && std::holds_alternative<LinkRestore>(back->content));
+    EXPECT_EQ(std::get<LinkRestore>(back->content).track, 7);
+    EXPECT_FALSE(bridge.replyTo(nonsense)->done) << "tracks count from 1";
     const auto note = wire.server.nextRequest(wire.now());
     ASSERT_TRUE(note && std::holds_alternative<LinkAnnotate>(note->content)) << "everybody may remark";
     EXPECT_EQ(std::get<LinkAnnotate>(note->content).text, "a seal or two");

@@ -71,10 +71,8 @@ protected:
                 if (control.kind == RunControl::Kind::Parameters) {
                     EXPECT_TRUE(applyRecordedParameters(params, control.parameters));
                     pipeline.setParams(params);
-                } else if (control.kind == RunControl::Kind::Designation) {
-                    pipeline.designate(control.range_m, control.from_bow);
                 } else {
-                    pipeline.clearDesignation();
+                    pipeline.command(control);
                 }
             }
             collect(pipeline.process(*ping, (*source)->navigation()));
@@ -158,6 +156,40 @@ TEST_F(Live, ItsRecordingGivesTheSameLooksBitForBit) {
     while (const auto result = (*reader)->nextResult())
         if (result->kind == UpdateKind::Track) recorded.push_back(result->text);
     EXPECT_EQ(recorded, live);
+}
+
+TEST_F(Live, WhatWasDroppedAndTakenBackIsSoInItsRecordingToo) {
+    std::vector<std::string> live;
+    const LiveRunner::Params params;
+    std::atomic<int> tracks = 0;
+    {
+        Paced run(params, log(5, params),
+                  [&](const Update& update, Timestamp, const ScanningSonarPipeline& pipeline) {
+                      for (const TrackLook& look : update.looks) live.push_back(lookText(look));
+                      tracks = static_cast<int>(pipeline.tracks().size());
+                  });
+        run.settle(0);
+        const auto frames = scan(12);
+        const auto sweeps = [&](int from, int to) {
+            for (int i = 51 * from; i < 51 * to; ++i) {
+                run.wait(100'000);
+                run.post(EventKind::SonarBytes, frames[static_cast<std::size_t>(i)]);
+            }
+        };
+        sweeps(0, 4);
+        ASSERT_EQ(tracks, 1);
+        run.runner.drop(1, 19.5, Bearing::degrees(-1.0));
+        run.settle(1);
+        sweeps(4, 8);
+        EXPECT_EQ(tracks, 0);
+        run.runner.restore(1);
+        run.settle(1);
+        sweeps(8, 12);
+        EXPECT_EQ(tracks, 1);
+    }
+    EXPECT_GT(live.size(), 4u);
+    EXPECT_LT(live.size(), 12u) << "not of the sweeps in between";
+    EXPECT_EQ(again(), live);
 }
 
 TEST_F(Live, WhatTheTrackerCouldNotTakeInTimeIsSkippedInTheReplayToo) {

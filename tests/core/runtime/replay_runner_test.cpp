@@ -178,6 +178,25 @@ TEST(ReplayRunner, ADesignationIsMetAgainAfterASeekBack) {
     await([&] { return !runner.status().designated; });
 }
 
+TEST(ReplayRunner, ADroppedTrackIsGoneFromThereOnAndComesBackWhenTakenBack) {
+    ReplayRunner runner(scanSource(), {}, seed);
+    runner.seek(100);
+    const Scene before = sceneAt(runner, 100);
+    ASSERT_EQ(before.tracks.size(), 1u);
+    const Track& track = before.tracks.front();
+    const Eigen::Vector2d place = track.estimate.mean.head<2>();  // the vehicle stands still at the origin
+    runner.drop(track.id, place.norm(), Bearing::radians(std::atan2(place.y(), place.x())));
+    runner.seek(110);
+    EXPECT_TRUE(sceneAt(runner, 110).tracks.empty());
+    runner.seek(50);
+    EXPECT_FALSE(sceneAt(runner, 50).tracks.empty()) << "it was dropped later";
+    runner.seek(120);
+    EXPECT_TRUE(sceneAt(runner, 120).tracks.empty());
+    runner.restore(track.id);
+    runner.seek(125);
+    EXPECT_EQ(sceneAt(runner, 125).tracks.size(), 1u);
+}
+
 TEST(ReplayRunner, EndsPromptlyInEveryState) {
     { const ReplayRunner loading(scanSource(), {}, seed); }
     const std::vector<std::function<void(ReplayRunner&)>> states{

@@ -230,7 +230,8 @@ TEST(Tracker, PickBeforeTheTargetShowsWaitsForIt) {
 }
 
 TEST(Tracker, PickIsOfTheStrongerThingThatShowsASweepLater) {
-    const Object wake{.start = {20, 0}, .strength_db = 15}, body{.start = {21, 1.6}, .visible_from_s = 4, .strength_db = 40};
+    const Object wake{.start = {20, 0}, .strength_db = 15};
+    const Object body{.start = {21, 1.6}, .visible_from_s = 4, .strength_db = 40};
     Scene scene({wake, body});
     scene.tracker.designate({20.7, 1.0}, 5.0);
     scene.run(4);
@@ -259,6 +260,28 @@ TEST(Tracker, PointingAtALostTargetFindsItUnderItsOldId) {
     scene.run(110);
     EXPECT_EQ(target().id, id);
     EXPECT_EQ(target().state, TrackState::Confirmed);
+}
+
+TEST(Tracker, ADroppedTrackIsToldOfNoMoreAndKeepsItsEchoesUntilItIsTakenBack) {
+    Scene scene({{.start = {20, 0}}, {.start = {30, 8}}});
+    scene.run(60);
+    ASSERT_EQ(scene.tracker.tracks().size(), 2u);
+    const Track dropped = scene.tracker.tracks().front();
+    const Eigen::Vector2d place = dropped.estimate.mean.head<2>();
+    EXPECT_FALSE(scene.tracker.drop(dropped.id, place + Eigen::Vector2d(0, 9), 3.0)) << "another object's number";
+    EXPECT_TRUE(scene.tracker.drop(dropped.id, place, 3.0));
+    scene.looks.clear();
+    scene.run(120);
+    ASSERT_EQ(scene.tracker.tracks().size(), 1u) << "and nothing began on its echoes";
+    for (const TrackLook& look : scene.looks) EXPECT_NE(look.track, dropped.id);
+    EXPECT_FALSE(scene.looks.empty());
+
+    scene.tracker.restore(dropped.id);
+    ASSERT_EQ(scene.tracker.tracks().size(), 2u);
+    EXPECT_EQ(scene.tracker.tracks().front().state, TrackState::Confirmed);
+    ASSERT_TRUE(scene.tracker.drop(dropped.id, place, 3.0));
+    scene.tracker.designate(place, 3.0);
+    EXPECT_FALSE(scene.tracker.isDropped(dropped.id)) << "who points at it wants it";
 }
 
 TEST(Tracker, SameSeedSameBitsOtherSeedOthers) {

@@ -196,7 +196,7 @@ TEST(MainWindow, LayoutAndPaletteAreRememberedWhenAsked) {
         window.close();
     }
     EXPECT_EQ(QSettings().value("palette").toString(), themeName(Theme::Night));
-    EXPECT_FALSE(QSettings().value("layout").toByteArray().isEmpty());
+    EXPECT_FALSE(QSettings().value("layout_operate").toByteArray().isEmpty());
     QSettings().clear();
 }
 

@@ -56,19 +56,22 @@ QLayout* TracksPanel::makeButtons() {
     clear_ = new QPushButton(this);
     mute_ = new QPushButton(this);
     mute_->setCheckable(true);
+    drop_ = new QPushButton(this);
     name_ = new QLineEdit(this);
     name_->setMaxLength(TrackModel::longest_name);
     inEveryLanguage(this, [this] { nameAll(); });
-    for (QWidget* widget : std::initializer_list<QWidget*>{designate_, clear_, mute_, name_}) widget->setEnabled(false);
+    for (QWidget* widget : std::initializer_list<QWidget*>{designate_, clear_, mute_, drop_, name_})
+        widget->setEnabled(false);
     auto* buttons = new QHBoxLayout;
     const UiMetrics metrics(font());
     buttons->setContentsMargins(metrics.pixels(8.0), metrics.pixels(4.0), metrics.pixels(8.0), 0);
     buttons->setSpacing(metrics.pixels(4.0));
-    for (QPushButton* button : {designate_, clear_, mute_}) buttons->addWidget(button);
+    for (QPushButton* button : {designate_, clear_, mute_, drop_}) buttons->addWidget(button);
     buttons->addWidget(name_, 1);
     connect(designate_, &QPushButton::clicked, this, &TracksPanel::designateSelected);
     connect(clear_, &QPushButton::clicked, this, &TracksPanel::clearRequested);
     connect(mute_, &QPushButton::clicked, this, &TracksPanel::toggleMute);
+    connect(drop_, &QPushButton::clicked, this, &TracksPanel::dropSelected);
     connect(name_, &QLineEdit::editingFinished, this, [this] { model_.setName(shown_, name_->text()); });
     return buttons;
 }
@@ -83,9 +86,18 @@ void TracksPanel::nameAll() {
     clear_->setToolTip(tr("No target (Delete); all tracks live on"));
     mute_->setText(tr("Mute"));
     mute_->setToolTip(tr("No alerts about the selected track (Ctrl+M)"));
+    drop_->setText(tr("Drop"));
+    drop_->setToolTip(tr("Take the selected track off fan and list (Shift+Delete); Ctrl+Z brings it back"));
+    fitButtons();
     name_->setPlaceholderText(tr("Name"));
     name_->setAccessibleName(tr("Name of the selected track"));
     name_->setToolTip(tr("Your name for the selected track (Ctrl+R), taken by Enter; this console's only"));
+}
+
+/// No wider than their words, so that there is room for a name.
+void TracksPanel::fitButtons() {
+    for (QPushButton* button : {designate_, clear_, mute_, drop_})
+        button->setFixedWidth(fontMetrics().horizontalAdvance(button->text()) + UiMetrics(font()).pixels(18.0));
 }
 
 void TracksPanel::designateSelected() {
@@ -97,6 +109,10 @@ void TracksPanel::toggleMute() {
     model_.setMuted(shown_, !model_.isMuted(shown_));
     mute_->setChecked(model_.isMuted(shown_));
     Q_EMIT muteRequested(shown_, model_.isMuted(shown_));
+}
+
+void TracksPanel::dropSelected() {
+    if (shown_ != 0) Q_EMIT dropRequested(shown_, shown_range_m_, shown_bearing_);
 }
 
 void TracksPanel::editName() {
@@ -141,7 +157,10 @@ void TracksPanel::sizeTable() {
 }
 
 void TracksPanel::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::FontChange) sizeTable();
+    if (event->type() == QEvent::FontChange) {
+        sizeTable();
+        fitButtons();
+    }
     QWidget::changeEvent(event);
 }
 
@@ -183,6 +202,7 @@ void TracksPanel::showButtons(const Scene& scene, const Track* track) {
     designate_->setEnabled(track && !track->target);
     clear_->setEnabled(std::any_of(scene.tracks.begin(), scene.tracks.end(), [](const Track& t) { return t.target; }));
     mute_->setEnabled(track);
+    drop_->setEnabled(track);
     mute_->setChecked(model_.isMuted(id));
     name_->setEnabled(track);
 }

@@ -33,6 +33,7 @@ public:
     /// The same as the buttons, for the selected track.
     void designateSelected();
     void toggleMute();
+    void dropSelected();
     void editName();
 
     const TrackModel& model() const { return model_; }
@@ -44,6 +45,8 @@ Q_SIGNALS:
     void clearRequested();
     /// Whether alerts about this track are wanted.
     void muteRequested(int id, bool muted);
+    /// Nobody is to be told of the selected track, which is at this place, any more.
+    void dropRequested(int id, double range_m, echotrail::Bearing from_bow);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -51,6 +54,7 @@ protected:
 private:
     const Track* shownTrack(const Scene& scene) const;
     void sizeTable();
+    void fitButtons();
     QLayout* makeButtons();
     void nameAll();
     void showButtons(const Scene& scene, const Track* track);
@@ -62,6 +66,7 @@ private:
     QPushButton* designate_ = nullptr;
     QPushButton* clear_ = nullptr;
     QPushButton* mute_ = nullptr;
+    QPushButton* drop_ = nullptr;
     QLineEdit* name_ = nullptr;
     TrackSamples samples_;
     Tracker::Params params_;
