@@ -124,6 +124,12 @@ bool LinkClient::take(const wire::ToConsole& message, Microseconds now) {
             add(*std::move(parameters));
             return true;
         }
+        case ToConsole::kRecordings:
+            return takeAnswer(message.recordings().request(), read(message.recordings()));
+        case ToConsole::kRecording:
+            return takeAnswer(message.recording().request(), read(message.recording()));
+        case ToConsole::kRows:
+            return takeAnswer(message.rows().request(), read(message.rows()));
         case ToConsole::CONTENT_NOT_SET:
             return true;  // of a newer tracker: nothing that this console knows
         default:
@@ -204,6 +210,17 @@ bool LinkClient::takeStream(const wire::ToConsole& message, Microseconds now) {
     }
 }
 
+/// Of what was asked for, and only once.
+template <class Answer>
+bool LinkClient::takeAnswer(std::uint32_t request, std::optional<Answer> answer) {
+    if (unanswered_.erase(request) == 0) return false;
+    if (answer)
+        add(*std::move(answer));
+    else
+        add(LinkReply{request, false, "the answer cannot be understood"});
+    return answer.has_value();
+}
+
 void LinkClient::takeReply(const wire::ToConsole& message) {
     const wire::Reply& reply = message.reply();
     if (unanswered_.erase(reply.request()) == 0) return;  // nobody asked
@@ -220,11 +237,22 @@ void LinkClient::takeProbe(const wire::ToConsole& message, Microseconds now) {
     if (probes_.size() > probes_kept) probes_.pop_front();
 }
 
-std::optional<Timestamp> LinkClient::trackerTime(Microseconds now) const {
+std::optional<LinkClient::Probed> LinkClient::quickest() const {
     if (probes_.empty()) return std::nullopt;
-    const auto quickest = std::min_element(
-        probes_.begin(), probes_.end(), [](const Probed& a, const Probed& b) { return a.round_trip < b.round_trip; });
-    return Timestamp(now + quickest->offset);
+    return *std::min_element(probes_.begin(), probes_.end(),
+                             [](const Probed& a, const Probed& b) { return a.round_trip < b.round_trip; });
+}
+
+std::optional<Timestamp> LinkClient::trackerTime(Microseconds now) const {
+    const auto probed = quickest();
+    if (!probed) return std::nullopt;
+    return Timestamp(now + probed->offset);
+}
+
+std::optional<Microseconds> LinkClient::quickestRoundTrip() const {
+    const auto probed = quickest();
+    if (!probed) return std::nullopt;
+    return probed->round_trip;
 }
 
 void LinkClient::noteLatency(Timestamp happened, Microseconds now) {
@@ -300,6 +328,24 @@ std::uint32_t LinkClient::annotate(const std::string& text) {
 std::uint32_t LinkClient::control(ControlAction action) {
     wire::ToTracker message;
     message.mutable_control()->set_action(static_cast<wire::ControlRequest::Action>(action));
+    return ask(message);
+}
+
+std::uint32_t LinkClient::listRecordings() {
+    wire::ToTracker message;
+    message.mutable_list_recordings();
+    return ask(message);
+}
+
+std::uint32_t LinkClient::describeRecording(const std::string& name) {
+    wire::ToTracker message;
+    message.mutable_describe_recording()->set_recording(name);
+    return ask(message);
+}
+
+std::uint32_t LinkClient::readRows(const LinkReadRows& wanted) {
+    wire::ToTracker message;
+    write(wanted, *message.mutable_read_rows());
     return ask(message);
 }
 

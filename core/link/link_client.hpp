@@ -4,6 +4,7 @@
 #include "core/link/link_limits.hpp"
 #include "core/link/link_values.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -37,6 +38,11 @@ struct LinkClientStatus {
     std::uint64_t snapshots = 0;
     std::uint64_t joins = 0;
 
+    /// The tracker lets its recordings be read.
+    bool mayReadRecordings() const {
+        const auto& able = welcome.capabilities;
+        return state == State::Joined && std::find(able.begin(), able.end(), link_recordings) != able.end();
+    }
     bool holdsControl() const { return state == State::Joined && control.holder == welcome.console; }
 };
 
@@ -68,11 +74,17 @@ public:
     std::uint32_t clearDesignation();
     std::uint32_t annotate(const std::string& text);
     std::uint32_t control(ControlAction action);
+    // Of recordings; the answer is a LinkRecordings, LinkRecording or LinkRows, or a LinkReply that says why not.
+    std::uint32_t listRecordings();
+    std::uint32_t describeRecording(const std::string& name);
+    std::uint32_t readRows(const LinkReadRows& wanted);
 
     const LinkClientStatus& status() const { return status_; }
     std::optional<double> linkAge(Microseconds now) const;
     /// The tracker's own time now; none before the first probe came back.
     std::optional<Timestamp> trackerTime(Microseconds now) const;
+    /// The quickest of the last probes: what the way itself takes.
+    std::optional<Microseconds> quickestRoundTrip() const;
     /// Requests that have no reply yet.
     std::size_t unanswered() const { return unanswered_.size(); }
 
@@ -81,11 +93,14 @@ private:
         Microseconds round_trip{0};
         Microseconds offset{0};  ///< of the tracker's clock from ours
     };
+    std::optional<Probed> quickest() const;
     bool take(const wire::ToConsole& message, Microseconds now);
     bool takeSnapshot(const wire::ToConsole& message);
     bool takeStream(const wire::ToConsole& message, Microseconds now);
     void takeProbe(const wire::ToConsole& message, Microseconds now);
     void takeReply(const wire::ToConsole& message);
+    template <class Answer>
+    bool takeAnswer(std::uint32_t request, std::optional<Answer> answer);
     bool isNext(const wire::ToConsole& message);
     void noteLatency(Timestamp happened, Microseconds now);
     void add(LinkEvent event);

@@ -46,6 +46,7 @@ void LinkServer::disconnected(std::uint32_t console, Timestamp now) {
     if (!session) return;
     if (session->welcomed && notes_.size() < most_notes) notes_.push_back("console '" + session->name + "' has left");
     sessions_.erase(console);
+    std::erase_if(record_pending_, [&](const LinkRecordRequest& request) { return request.console == console; });
     const LinkControl before = control_.state();
     control_.left(console);
     tellControl(before, now);
@@ -79,6 +80,10 @@ void LinkServer::take(LinkSession& session, const wire::ToTracker& message, Time
         ++counts_.malformed;
         return drop(session, "did not say hello first", now);
     }
+    const auto content = message.content_case();
+    if (content == ToTracker::kListRecordings || content == ToTracker::kDescribeRecording ||
+        content == ToTracker::kReadRows)
+        return takeRecordRequest(session, message, now);
     if (!session.mayAsk(now)) return refuse(session, message.request(), "too_many", "too many requests at once", now);
     wire::ToConsole out;
     switch (message.content_case()) {
@@ -120,6 +125,7 @@ void LinkServer::welcome(LinkSession& session, const wire::Hello& hello, Timesta
     welcome.set_name(identity_.name);
     for (const char* capability : {"parameters", "designate", "annotate", "control", "beams"})
         welcome.add_capabilities(capability);
+    if (recordings_) welcome.add_capabilities(link_recordings);
     welcome.set_console(session.console);
     welcome.set_run(run_);
     send(session, out, now);

@@ -19,7 +19,7 @@ struct LinkSession {
     bool needs_snapshot = false;  ///< something it cannot do without was thrown away
     bool closing = false;         ///< what waits is the last it hears
     std::uint32_t refusals = 0;
-    Timestamp connected, last_heard, snapshot_sent{};
+    Timestamp connected, last_heard, snapshot_sent{}, rows_sent{};
     FrameReader reader{link_limits::longest_request};
     SendQueue queue;
 

@@ -12,8 +12,9 @@ constexpr Microseconds before_less{1'000'000}, before_more{5'000'000};
 constexpr Microseconds worthless{2'000'000};  // a picture of then would be shown as of now
 constexpr double burst_s = 0.25;              // of the rate
 
-constexpr std::array<std::size_t, 4> room_of_lane{link_limits::urgent_bytes, link_limits::regions_bytes,
-                                                  link_limits::particles_bytes, link_limits::picture_bytes};
+constexpr std::array<std::size_t, 5> room_of_lane{link_limits::urgent_bytes, link_limits::regions_bytes,
+                                                  link_limits::particles_bytes, link_limits::picture_bytes,
+                                                  link_limits::record_bytes};
 
 }  // namespace
 
@@ -85,11 +86,11 @@ void SendQueue::refill(Timestamp now) {
     refilled_ = now;
 }
 
-/// How long the oldest frame waits.
+/// How long the oldest frame waits that should not.
 Microseconds SendQueue::delay(Timestamp now) const {
     Microseconds longest{0};
     for (const LaneQueue& lane : lanes_)
-        if (!lane.frames.empty())
+        if (!lane.frames.empty() && &lane != &lanes_.back())
             longest = std::max(longest, std::chrono::duration_cast<Microseconds>(now - lane.frames.front().since));
     return longest;
 }
@@ -123,7 +124,8 @@ void SendQueue::dropAll(LaneQueue& lane) {
 }
 
 void SendQueue::clear() {
-    for (LaneQueue& lane : lanes_) dropAll(lane);
+    for (LaneQueue& lane : lanes_)
+        if (&lane != &lanes_.back()) dropAll(lane);
 }
 
 std::size_t SendQueue::waitingBytes() const {

@@ -27,9 +27,27 @@ Bytes bytesOf(const std::string& text) { return {reinterpret_cast<const std::uin
 
 LinkClient makeClient() { return LinkClient(LinkClient::Options{.identity = {"shore", "fuzz"}}); }
 
+void answerRecordRequests(LinkServer& server) {
+    for (std::size_t asked = 0; const auto request = server.nextRecordRequest(start); ++asked) {
+        require(asked < link_limits::most_record_requests, "few requests for recordings wait");
+        Result<LinkRecordAnswer> answer = LinkRecordAnswer(LinkRecordings{});
+        if (const auto* described = std::get_if<LinkDescribeRecording>(&request->content)) {
+            require(described->recording.size() <= link_limits::longest_word, "names are short");
+            answer = LinkRecordAnswer(LinkRecording{0, "a", {{}, {{1, 1}}}});
+        }
+        if (const auto* wanted = std::get_if<LinkReadRows>(&request->content)) {
+            require(wanted->rows.most_bytes <= link_limits::longest_rows, "an answer is no longer than allowed");
+            require(wanted->rows.first >= 0 && wanted->rows.last >= 0 && wanted->rows.part >= 0, "rows are numbers");
+            answer = Error{"no such recording"};
+        }
+        server.answer(*request, answer, start);
+    }
+}
+
 /// What a console says, to a tracker that answers all it is asked.
 void toTracker(Bytes bytes, bool greeted) {
     LinkServer server({"vehicle", "fuzz"}, 1, {{"range_m", 50.0}, {"particles", 2000}});
+    server.serveRecordings();
     const std::uint32_t console = server.connected(start).value();
     LinkClient client = makeClient();
     client.linkUp(Microseconds{0});
@@ -40,6 +58,7 @@ void toTracker(Bytes bytes, bool greeted) {
         require(request->name.size() <= link_limits::longest_name, "names are short");
         server.answer(*request, {}, start);
     }
+    answerRecordRequests(server);
     require(server.waitingBytes(console) <= link_limits::urgent_bytes, "what waits is bounded");
     std::string out;
     server.takeOutput(console, start, out, 1 << 20);
