@@ -1,5 +1,7 @@
 #include "track_run.hpp"
 
+#include "app/io/recording_path.hpp"
+
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
@@ -30,7 +32,8 @@ TrackRun::TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, 
 Result<void> TrackRun::serve() {
     if (!options_.serve) return {};
     service_ =
-        std::make_unique<TrackerService>(options_.settings.params, runner_, *link_, "echotrail " ECHOTRAIL_VERSION);
+        std::make_unique<TrackerService>(options_.settings.params, runner_, *link_, "echotrail " ECHOTRAIL_VERSION,
+                                         RecordingShelf(recordingsFolder(), options_.record));
     connect(service_.get(), &TrackerService::noted, this,
             [this](const QString& text) { tell(LinkLog::Weight::Note, text.toStdString()); });
     const auto address = service_->start(*options_.serve);
@@ -162,7 +165,8 @@ nlohmann::ordered_json TrackRun::finish(const std::string& reason) {
         summary["consoles"] = {{"connections", counts.link.connections}, {"turned_away", counts.link.turned_away},
                                {"malformed", counts.link.malformed},     {"refused", counts.link.refused},
                                {"dropped", counts.link.dropped},         {"resynchronised", counts.link.resynchronised},
-                               {"not_let_in", counts.turned_away},       {"missed_moments", counts.missed}};
+                               {"not_let_in", counts.turned_away},       {"missed_moments", counts.missed},
+                               {"record_bytes", counts.link.record_bytes}};
     }
     runner_.record({UpdateKind::Summary, runner_.now(), summary.dump()});
     runner_.closeLog();

@@ -66,6 +66,11 @@ ConsoleServer::~ConsoleServer() {
     }
 }
 
+void ConsoleServer::serveRecordings(RecordHandler handler) {
+    record_handler_ = std::move(handler);
+    server_.serveRecordings();
+}
+
 Result<LinkAddress> ConsoleServer::listen(const LinkAddress& address) {
     if (auto servable = checkServable(address); !servable) return Error{servable.error()};
     if (auto made = makeListener(address); !made) return Error{made.error()};
@@ -142,6 +147,7 @@ void ConsoleServer::read(std::uint32_t console) {
     server_.received(console, clock_(),
                      {reinterpret_cast<const std::uint8_t*>(bytes.data()), static_cast<std::size_t>(bytes.size())});
     answerRequests();
+    answerRecordRequests();
     flush(console);
     tellNotes();
     if (peers_.contains(console) && socket->bytesAvailable() > 0)
@@ -158,6 +164,13 @@ void ConsoleServer::answerRequests() {
         answered = true;
     }
     if (answered) flush();
+}
+
+void ConsoleServer::answerRecordRequests() {
+    while (const auto request = server_.nextRecordRequest(clock_())) {
+        server_.answer(*request, record_handler_(*request), clock_());
+        flush(request->console);
+    }
 }
 
 void ConsoleServer::flush(std::uint32_t console) {
@@ -198,6 +211,7 @@ void ConsoleServer::close(std::uint32_t console) {
 void ConsoleServer::tick() {
     server_.tick(clock_());
     dropRevoked();
+    answerRecordRequests();
     flush();
     std::vector<std::uint32_t> over;
     for (const auto& [console, peer] : peers_)

@@ -33,11 +33,16 @@ public:
     /// Does what is asked for; where that changed the parameters, all of them as they are now.
     using Handler = std::function<Result<std::optional<std::vector<NamedValue>>>(const LinkRequest&)>;
 
+    /// Answers what is asked of recordings; in this object's thread, one after the other.
+    using RecordHandler = std::function<Result<LinkRecordAnswer>(const LinkRecordRequest&)>;
+
     /// `trust` says who may come in by TLS; one who is revoked is dropped within a second.
     ConsoleServer(const LinkIdentity& identity, std::vector<NamedValue> parameters, Clock clock, Handler handler,
                   const TrustStore& trust = TrustStore::ofUser());
     ~ConsoleServer() override;
 
+    /// Consoles may read recordings, too. Before listen().
+    void serveRecordings(RecordHandler handler);
     /// Port 0 takes any free one; gives the address that consoles have to be told.
     Result<LinkAddress> listen(const LinkAddress& address);
     void publish(LinkMoment moment);
@@ -70,6 +75,7 @@ private:
     void flush(std::uint32_t console);
     void close(std::uint32_t console);
     void answerRequests();
+    void answerRecordRequests();
     void tellNotes();
     void beginNotes();
     void tell(const QString& note);
@@ -77,6 +83,7 @@ private:
 
     Clock clock_;
     Handler handler_;
+    RecordHandler record_handler_;
     LinkServer server_;
     TrustStore trust_;
     std::unique_ptr<QTcpServer> listener_;

@@ -17,12 +17,13 @@ std::vector<std::uint8_t> bytesOf(std::string_view text) { return {text.begin(),
 }  // namespace
 
 TrackerService::TrackerService(const LiveRunner::Params& params, LiveRunner& runner, HeadLink& head,
-                               const std::string& program)
-    : runner_(runner), head_(head), params_(params) {
+                               const std::string& program, RecordingShelf shelf)
+    : runner_(runner), head_(head), params_(params), shelf_(std::move(shelf)) {
     thread_.setObjectName("consoles");
     server_ = std::make_unique<ConsoleServer>(
         LinkIdentity{QSysInfo::machineHostName().toStdString(), program}, namedValues(params),
         [this] { return runner_.now(); }, [this](const LinkRequest& request) { return answer(request); });
+    server_->serveRecordings([this](const LinkRecordRequest& request) { return shelf_.answer(request); });
     server_->moveToThread(&thread_);
     connect(server_.get(), &ConsoleServer::noted, this, &TrackerService::noted);
 }

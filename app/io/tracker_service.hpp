@@ -2,6 +2,7 @@
 
 #include "app/io/console_server.hpp"
 #include "app/io/head_link.hpp"
+#include "app/io/recording_shelf.hpp"
 #include "core/runtime/live_runner.hpp"
 
 #include <QObject>
@@ -28,7 +29,9 @@ public:
         std::uint64_t missed = 0;                          ///< moments that the consoles' thread was too slow for
     };
 
-    TrackerService(const LiveRunner::Params& params, LiveRunner& runner, HeadLink& head, const std::string& program);
+    /// Consoles may read what `shelf` holds.
+    TrackerService(const LiveRunner::Params& params, LiveRunner& runner, HeadLink& head, const std::string& program,
+                   RecordingShelf shelf);
     ~TrackerService() override;
 
     /// Gives the address that consoles have to be told; the error says why nobody can be served there.
@@ -51,6 +54,7 @@ private:
     LiveRunner& runner_;
     HeadLink& head_;
     LiveRunner::Params params_;  ///< the consoles' thread's own
+    RecordingShelf shelf_;       ///< the same
     QThread thread_;
     std::unique_ptr<ConsoleServer> server_;  ///< lives there
     std::unique_ptr<QTimer> health_;         ///< there, too
