@@ -9,7 +9,7 @@
 namespace echotrail {
 namespace {
 
-constexpr int commit_ms = 500, look_ms = 500;
+constexpr int commit_ms = 500, look_ms = 250;
 constexpr std::size_t first_batch = 8 * 1024;
 constexpr Microseconds too_long{500'000}, short_enough{200'000};
 constexpr std::uint64_t fewest_free_bytes = 200'000'000;
@@ -141,8 +141,9 @@ void RecordKeeper::close() {
     look_.stop();
     asked_.reset();
     if (!fetch_) return;
+    const auto closed = fetch_->copy().close();
     publish(false);
-    if (const auto closed = fetch_->copy().close(); !closed) {
+    if (!closed) {
         const std::scoped_lock lock(mutex_);
         published_.error = closed.error();
     }

@@ -72,8 +72,9 @@ std::vector<LinkRecordingEntry> RecordingShelf::list() {
         if (!fs::is_regular_file(entry->symlink_status(unknown)) || !path.ends_with(log_format::suffix)) continue;
         if (firstPartOf(path) == path) add(path, entries);
     }
-    std::sort(entries.begin(), entries.end(),
-              [](const LinkRecordingEntry& a, const LinkRecordingEntry& b) { return a.changed > b.changed; });
+    std::sort(entries.begin(), entries.end(), [](const LinkRecordingEntry& a, const LinkRecordingEntry& b) {
+        return std::pair(a.written, a.changed) > std::pair(b.written, b.changed);
+    });
     if (entries.size() > link_limits::most_recordings) entries.resize(link_limits::most_recordings);
     return entries;
 }

@@ -13,8 +13,11 @@ constexpr std::size_t most_notices = 50;
 
 }  // namespace
 
-TrackerLink::TrackerLink(const LinkAddress& address, const LinkIdentity& identity, const std::string& folder)
-    : address_(address), client_(LinkClient::Options{.identity = identity}), folder_(folder) {
+TrackerLink::TrackerLink(const LinkAddress& address, const LinkIdentity& identity, const std::string& folder,
+                         bool wants_control)
+    : address_(address),
+      client_(LinkClient::Options{.identity = identity, .wants_control = wants_control}),
+      folder_(folder) {
     records_thread_.setObjectName("records");
 }
 

@@ -49,7 +49,8 @@ class TrackerLink : public QObject {
     Q_OBJECT
 public:
     /// The runs that are written aboard are kept in `folder`, too; empty: they are not.
-    TrackerLink(const LinkAddress& address, const LinkIdentity& identity, const std::string& folder = {});
+    TrackerLink(const LinkAddress& address, const LinkIdentity& identity, const std::string& folder = {},
+                bool wants_control = true);
     ~TrackerLink() override;
 
     void open();

@@ -59,7 +59,9 @@ Result<LogDescription> describeLog(const std::string& path, LogUse use) {
         if (part == 0) log.header = header;
         if (header.started != log.header.started) break;  // of another run, under a name that looks like a part of it
         LogExtent& extent = log.parts.emplace_back();
-        for (const LogTable table : log_tables) extent.of(table) = lastRow(database->get(), table);
+        // Results first: the events that they came from are there, then.
+        extent.results = lastRow(database->get(), LogTable::Results);
+        extent.events = lastRow(database->get(), LogTable::Events);
     }
     if (log.parts.empty() || log.header.started == Timestamp{})
         return Error{"cannot open " + path + ": it is not a log, or damaged at its beginning"};

@@ -96,12 +96,14 @@ TEST_F(LogCopies, OfARunThatGoesOnWhatIsNewComesFirstAndTheRestAfterIt) {
     LogFetch fetched = fetch(true);
     EXPECT_EQ(fetched.progress().missed, 0) << "nothing since it was begun";
     run(8);
+    ask(fetched, fetched.lookForMore(100'000));  // only how far the results are
     const LogRowsWanted more = fetched.lookForMore(100'000);
     EXPECT_EQ(ask(fetched, more).rows.size(), 8U + 2U * 2U) << "an event of 9000 bytes has three rows";
     EXPECT_GT(more.first, 40);
-    const auto next = fetched.next(4'000);
-    ASSERT_TRUE(next);
-    EXPECT_EQ(next->first, 1) << "then the beginning";
+    const LogRowsWanted results = fetched.next(4'000).value();
+    EXPECT_EQ(results.table, LogTable::Results);
+    EXPECT_EQ(ask(fetched, results).rows.size(), 2U) << "those after the events they came from";
+    EXPECT_EQ(fetched.next(4'000).value().first, 1) << "then the beginning";
     askForAll(fetched);
     lookForMore(fetched);
     EXPECT_TRUE(isWhole());
@@ -132,6 +134,7 @@ TEST_F(LogCopies, ACopyThatWasCutOffGoesOnWhereItWas) {
         LogFetch fetched = fetch(true);
         run(7);
         ask(fetched, fetched.lookForMore(2'000));
+        ask(fetched, fetched.lookForMore(2'000));
         ask(fetched, fetched.next(2'000).value());
         ask(fetched, fetched.next(2'000).value());
         ASSERT_TRUE(fetched.copy().commit());
@@ -148,6 +151,25 @@ TEST_F(LogCopies, ACopyThatWasCutOffGoesOnWhereItWas) {
         << "the beginning was never here";
     askForAll(fetched);
     EXPECT_TRUE(isWhole());
+}
+
+TEST_F(LogCopies, ACopyHoldsNoResultWhoseEventsItDoesNotHave) {
+    begin();
+    run(5);
+    LogFetch fetched = fetch(true);
+    for (int round = 0; round < 200; ++round) {
+        if (round % 3 == 0) run(2);
+        const auto next = fetched.next(1'500);
+        ask(fetched, next ? *next : fetched.lookForMore(1'500));
+        ASSERT_TRUE(fetched.copy().commit());
+        // From the first look on nothing is missing before the last row, so that the last ones tell.
+        const std::int64_t results = fetched.copy().held(0, LogTable::Results).last();
+        if (results == 0) continue;
+        const auto row = readLogRows(copy_, LogUse::Written, {0, LogTable::Results, results, results, 100}).value();
+        const auto events = fetched.copy().held(0, LogTable::Events).last();
+        const auto event = readLogRows(copy_, LogUse::Written, {0, LogTable::Events, events, events, 100}).value();
+        EXPECT_LE(row.rows.at(0).numbers[1], event.rows.at(0).numbers[2]) << "round " << round;
+    }
 }
 
 TEST_F(LogCopies, PartsComeOverAsParts) {
