@@ -34,6 +34,8 @@ struct LinkClientStatus {
     std::optional<Microseconds> latency;     ///< of the last beam or tracks, from the tracker's receiving it to here
     std::uint64_t messages = 0, bytes = 0;
     std::uint64_t gaps = 0;       ///< stream messages that did not come
+    std::uint64_t late = 0;       ///< that came after newer ones, and were passed over
+    std::uint64_t datagrams = 0;  ///< that came since the last welcome
     std::uint64_t malformed = 0;  ///< messages that cannot be; a broken stream counts once
     std::uint64_t snapshots = 0;
     std::uint64_t joins = 0;
@@ -56,12 +58,17 @@ public:
         LinkIdentity identity;
         bool wants_control = true;
         std::uint64_t bytes_per_second = 0;  ///< 0: as fast as the way goes
+        bool datagrams = false;              ///< streams may come by them
     };
     explicit LinkClient(Options options) : options_(std::move(options)) {}
 
     void linkUp(Microseconds now);
     void linkDown();
     void received(Microseconds now, std::span<const std::uint8_t> bytes);
+    /// The text of a datagram that is known to be the tracker's, and its number.
+    void receivedDatagram(Microseconds now, std::uint64_t number, std::span<const std::uint8_t> text);
+    /// The text of a datagram that is to be sent now, if one is; asked for as often as tick().
+    std::optional<std::string> datagramToSend(Microseconds now);
     void tick(Microseconds now);
     std::string takeOutput() { return std::exchange(output_, {}); }
     std::optional<LinkEvent> next();
@@ -118,7 +125,8 @@ private:
     std::deque<Probed> probes_;
     std::uint32_t next_request_ = 1;
     Microseconds up_since_{0};
-    std::optional<Microseconds> probed_;
+    std::optional<Microseconds> probed_, reported_;
+    std::uint64_t newest_datagram_ = 0;
     bool wants_to_close_ = false;
 };
 

@@ -61,6 +61,13 @@ inline constexpr std::size_t particles_bytes = 256 * 1024;
 inline constexpr std::size_t picture_bytes = 2 * 1024 * 1024;
 inline constexpr std::size_t record_bytes = most_record_requests * 512 * 1024;
 
+// Datagrams
+inline constexpr std::size_t longest_datagram_text = 1'168;  ///< bytes before it is sealed: 1200 go uncut on any way
+inline constexpr std::size_t most_datagrams = 64;            ///< that wait for one console; then the oldest goes
+inline constexpr std::size_t datagram_key_bytes = 32;
+inline constexpr Microseconds between_reports{250'000};
+inline constexpr Microseconds nothing_arrives{2'000'000};  ///< then the streams go by TCP
+
 // What is kept for those who come late
 inline constexpr std::size_t recent_beams = 2000;
 inline constexpr std::size_t recent_bytes = 1536 * 1024;

@@ -30,7 +30,7 @@ LinkSession* LinkServer::find(std::uint32_t console) const {
     return found == sessions_.end() ? nullptr : found->second.get();
 }
 
-std::optional<std::uint32_t> LinkServer::connected(Timestamp now) {
+std::optional<std::uint32_t> LinkServer::connected(Timestamp now, std::optional<LinkDatagrams> datagrams) {
     if (sessions_.size() >= link_limits::most_consoles) {
         ++counts_.turned_away;
         return std::nullopt;
@@ -38,6 +38,7 @@ std::optional<std::uint32_t> LinkServer::connected(Timestamp now) {
     ++counts_.connections;
     const std::uint32_t console = next_console_++;
     sessions_.emplace(console, std::make_unique<LinkSession>(console, now));
+    sessions_.at(console)->datagram_offer = std::move(datagrams);
     return console;
 }
 
@@ -128,6 +129,12 @@ void LinkServer::welcome(LinkSession& session, const wire::Hello& hello, Timesta
     if (recordings_) welcome.add_capabilities(link_recordings);
     welcome.set_console(session.console);
     welcome.set_run(run_);
+    if (!hello.datagrams() || hello.bytes_per_second() > 0) session.datagram_offer.reset();
+    if (session.datagram_offer) {
+        welcome.mutable_datagrams()->set_port(session.datagram_offer->port);
+        welcome.mutable_datagrams()->set_session(session.datagram_offer->session);
+        welcome.mutable_datagrams()->set_key(session.datagram_offer->key);
+    }
     send(session, out, now);
     const LinkControl before = control_.state();
     if (hello.wants_control() && before.holder == 0)
@@ -307,10 +314,10 @@ void LinkServer::publish(LinkMoment moment, Timestamp now) {
     MomentFrames frames = encoder_.encode(std::move(moment));
     for (const auto& [console, session] : sessions_) {
         send(*session, SendQueue::Lane::Urgent, frames.tracks, now);
-        send(*session, SendQueue::Lane::Regions, frames.regions, now);
-        send(*session, SendQueue::Lane::Particles, frames.particles, now);
+        stream(*session, SendQueue::Lane::Regions, frames.regions, now);
+        stream(*session, SendQueue::Lane::Particles, frames.particles, now);
         session->queue.judge(now);
-        send(*session, SendQueue::Lane::Picture, encoder_.beamAt(frames, session->queue.level()), now);
+        stream(*session, SendQueue::Lane::Picture, encoder_.beamAt(frames, session->queue.level()), now);
     }
 }
 

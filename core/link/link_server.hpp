@@ -36,6 +36,7 @@ public:
         std::map<std::string, std::uint64_t> refused;  ///< cause → requests
         std::map<std::string, std::uint64_t> dropped;  ///< cause → consoles
         std::uint64_t resynchronised = 0;              ///< what waited was thrown away, and all told afresh
+        std::uint64_t datagrams = 0;                   ///< that were sent
         std::uint64_t record_bytes = 0;                ///< of recordings, that were given
     };
 
@@ -43,8 +44,12 @@ public:
     LinkServer(const LinkIdentity& identity, std::uint64_t run, std::vector<NamedValue> parameters);
     ~LinkServer();
 
-    /// A console's number; none where there are too many.
-    std::optional<std::uint32_t> connected(Timestamp now);
+    /// A console's number; none where there are too many. `datagrams`: where it can have them, and under which key.
+    std::optional<std::uint32_t> connected(Timestamp now, std::optional<LinkDatagrams> datagrams = {});
+    /// The text of a datagram that is known to be this console's.
+    void receivedDatagram(std::uint32_t console, Timestamp now, std::span<const std::uint8_t> text);
+    /// What goes to it by datagrams now: the text of each.
+    std::vector<std::string> takeDatagrams(std::uint32_t console);
     void received(std::uint32_t console, Timestamp now, std::span<const std::uint8_t> bytes);
     void disconnected(std::uint32_t console, Timestamp now);
     /// What may go to this console now, appended; about `room` bytes at most.
@@ -100,6 +105,7 @@ private:
     void drop(LinkSession& session, const std::string& cause, Timestamp now);
     void send(LinkSession& session, SendQueue::Lane lane, SendQueue::Frame frame, Timestamp now);
     void send(LinkSession& session, const wire::ToConsole& message, Timestamp now);
+    void stream(LinkSession& session, SendQueue::Lane lane, const SendQueue::Frame& frame, Timestamp now);
     void sendToAll(const wire::ToConsole& message, Timestamp now);
     void sendSnapshot(LinkSession& session, Timestamp now);
     void write(wire::Snapshot& snapshot) const;

@@ -98,6 +98,13 @@ struct LinkMoment {
     std::vector<TrackLook> looks;
 };
 
+/// Where a tracker sends and takes datagrams, and the key under which they are sealed.
+struct LinkDatagrams {
+    std::uint16_t port = 0;
+    std::uint64_t session = 0;
+    std::string key;
+};
+
 // What a console hears, in the order it came.
 
 struct LinkWelcome {
@@ -106,6 +113,7 @@ struct LinkWelcome {
     std::vector<std::string> capabilities;
     std::uint32_t console = 0;  ///< this one's number
     std::uint64_t run = 0;
+    std::optional<LinkDatagrams> datagrams;  ///< none where there are none
 };
 /// All that holds: what was known before is forgotten.
 struct LinkSnapshot {

@@ -38,6 +38,11 @@ public:
     /// Nothing that waits is of use any more but rows; a frame that was begun is finished.
     void clear();
 
+    /// So much of what went another way was lost: a reason to send less, too.
+    void tellLoss(double share, Timestamp now);
+    /// Whether the level lets this lane through.
+    bool allows(Lane lane) const;
+
     Level level() const { return level_; }
     double rate() const { return rate_; }  ///< bytes per second; 0: no limit
     bool empty() const { return waitingBytes() == 0; }
@@ -62,7 +67,6 @@ private:
     void dropOldest(LaneQueue& lane);
     void dropAll(LaneQueue& lane);
     Microseconds delay(Timestamp now) const;
-    bool allowed(Lane lane) const;
     void refill(Timestamp now);
 
     std::array<LaneQueue, lane_count> lanes_;
