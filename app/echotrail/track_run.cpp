@@ -36,7 +36,7 @@ Result<void> TrackRun::serve() {
                                          RecordingShelf(recordingsFolder(), options_.record));
     connect(service_.get(), &TrackerService::noted, this,
             [this](const QString& text) { tell(LinkLog::Weight::Note, text.toStdString()); });
-    const auto address = service_->start(*options_.serve);
+    const auto address = service_->start(*options_.serve, options_.datagrams);
     if (!address) return Error{address.error()};
     note("consoles are served at " + toText(*address));
     const bool by_tls = address->kind == LinkAddress::Kind::Tls;
@@ -166,7 +166,8 @@ nlohmann::ordered_json TrackRun::finish(const std::string& reason) {
                                {"malformed", counts.link.malformed},     {"refused", counts.link.refused},
                                {"dropped", counts.link.dropped},         {"resynchronised", counts.link.resynchronised},
                                {"not_let_in", counts.turned_away},       {"missed_moments", counts.missed},
-                               {"record_bytes", counts.link.record_bytes}};
+                               {"record_bytes", counts.link.record_bytes},  {"datagrams", counts.link.datagrams},
+                               {"datagrams_refused", counts.datagrams_refused}};
     }
     runner_.record({UpdateKind::Summary, runner_.now(), summary.dump()});
     runner_.closeLog();

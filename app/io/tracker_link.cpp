@@ -2,6 +2,7 @@
 
 #include "core/runtime/link_moment.hpp"
 
+#include <QUdpSocket>
 #include <utility>
 
 namespace echotrail {
@@ -16,7 +17,7 @@ constexpr std::size_t most_notices = 50;
 TrackerLink::TrackerLink(const LinkAddress& address, const LinkIdentity& identity, const std::string& folder,
                          bool wants_control)
     : address_(address),
-      client_(LinkClient::Options{.identity = identity, .wants_control = wants_control}),
+      client_(LinkClient::Options{.identity = identity, .wants_control = wants_control, .datagrams = true}),
       folder_(folder) {
     records_thread_.setObjectName("records");
 }
@@ -47,6 +48,7 @@ void TrackerLink::close() {
     delete std::exchange(tick_, nullptr);
     channel_.reset();
     client_.linkDown();
+    closeDatagrams();
     endKeeper(keeper_);
     endKeeper(fetch_);
     records_thread_.quit();
@@ -65,6 +67,7 @@ void TrackerLink::connectChannel() {
 void TrackerLink::lost(const QString& reason) {
     reason_ = client_.status().refusal.empty() ? reason.toStdString() : "the tracker says: " + client_.status().refusal;
     client_.linkDown();
+    closeDatagrams();
     takeLoss();
     takeEvents();
     publish();
@@ -81,6 +84,7 @@ void TrackerLink::converse() {
     if (!channel_) return;
     takeEvents();
     sendParams();
+    reportDatagrams();
     const std::string out = client_.takeOutput();
     const bool sent = out.empty() || channel_->send(QByteArray(out.data(), static_cast<int>(out.size())));
     if (client_.wantsToClose() || (!sent && channel_->isUp())) {
@@ -105,7 +109,10 @@ void TrackerLink::takeEvents() {
     while (const auto event = client_.next()) {
         if (takeRecordEvent(*event)) continue;
         remote_.take(*event);
-        if (std::holds_alternative<LinkWelcome>(*event)) takeJoin();
+        if (std::holds_alternative<LinkWelcome>(*event)) {
+            takeJoin();
+            openDatagrams();
+        }
         if (std::holds_alternative<LinkWelcome>(*event)) reason_.clear();
         if (std::holds_alternative<LinkSnapshot>(*event))
             for (const std::string& why : remote_.passedOver())

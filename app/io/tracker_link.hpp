@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/io/byte_channel.hpp"
+#include "app/io/datagram_seal.hpp"
 #include "app/io/record_keeper.hpp"
 #include "core/link/link_client.hpp"
 #include "core/runtime/latest.hpp"
@@ -17,6 +18,8 @@
 #include <mutex>
 #include <optional>
 #include <string>
+
+class QUdpSocket;
 
 namespace echotrail {
 
@@ -42,7 +45,8 @@ struct TrackerNotice {
     std::string text;
 };
 
-/// The console's end of the link on TCP: it connects, joins, reconnects by itself, and puts the scenes together.
+/// The console's end of the link on TCP, and UDP where the tracker offers it: it connects, joins, reconnects by itself,
+/// and puts the scenes together.
 /// Threads: what is marked so from any; all else in the one it lives in, whose event loop runs. It may be moved before
 ///          open().
 class TrackerLink : public QObject {
@@ -85,6 +89,9 @@ private:
     void converse();
     void takeJoin();
     void takeLoss();
+    void openDatagrams();
+    void closeDatagrams();
+    void reportDatagrams();
     void tellJoined(RecordKeeper& keeper);
     bool takeRecordEvent(const LinkEvent& event);
     std::unique_ptr<RecordKeeper> makeKeeper(const std::string& folder, const std::string& name);
@@ -108,6 +115,9 @@ private:
     std::optional<RemoteScene::Params> wanted_params_;
     std::uint32_t params_request_ = 0;  ///< that has no answer yet
     std::optional<LinkControl> control_;
+
+    std::unique_ptr<QUdpSocket> datagrams_;  ///< where the tracker offers them
+    std::unique_ptr<DatagramSeal> seal_;
 
     struct Asked {
         RecordKeeper* keeper = nullptr;

@@ -30,12 +30,13 @@ TrackerService::TrackerService(const LiveRunner::Params& params, LiveRunner& run
 
 TrackerService::~TrackerService() { stop(); }
 
-Result<LinkAddress> TrackerService::start(const LinkAddress& address) {
+Result<LinkAddress> TrackerService::start(const LinkAddress& address, bool datagrams) {
     thread_.start();
     Result<LinkAddress> real = Error{"the consoles' thread does not run"};
     QMetaObject::invokeMethod(
         server_.get(),
         [&] {
+            if (datagrams) server_->serveDatagrams();
             real = server_->listen(address);
             if (!real) return;
             health_ = std::make_unique<QTimer>();
@@ -62,7 +63,7 @@ void TrackerService::stop() {
     QMetaObject::invokeMethod(
         server_.get(),
         [this] {
-            counts_ = {server_->counts(), server_->turnedAway(), missed_};
+            counts_ = {server_->counts(), server_->turnedAway(), server_->datagramsRefused(), missed_};
             health_.reset();
             server_.reset();
         },

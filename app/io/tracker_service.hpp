@@ -26,6 +26,7 @@ public:
     struct Counts {
         LinkServer::Counts link;
         std::map<std::string, std::uint64_t> turned_away;  ///< cause → connections that TLS did not let in
+        std::uint64_t datagrams_refused = 0;               ///< not from whom they said, or again
         std::uint64_t missed = 0;                          ///< moments that the consoles' thread was too slow for
     };
 
@@ -34,8 +35,9 @@ public:
                    RecordingShelf shelf);
     ~TrackerService() override;
 
-    /// Gives the address that consoles have to be told; the error says why nobody can be served there.
-    Result<LinkAddress> start(const LinkAddress& address);
+    /// Gives the address that consoles have to be told; the error says why nobody can be served there. With `datagrams`
+    /// pictures go by UDP to those who want it.
+    Result<LinkAddress> start(const LinkAddress& address, bool datagrams = false);
     void stop();
     void take(const Ping& ping, const Update& update, const ScanningSonarPipeline& pipeline);
     void say(LinkLog::Weight weight, const std::string& text);
