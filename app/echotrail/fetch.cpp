@@ -54,7 +54,7 @@ public:
         if (ended_) return *ended_;
         const auto kept = keptNow();
         if (arguments_.follow && kept && kept->error.empty()) return end(*kept);
-        return fail(ExitCode::Failed, kept && !kept->error.empty() ? kept->error
+        return fail(ExitCode::Failed, kept && !kept->error.empty()   ? kept->error
                                       : link_.state().reason.empty() ? reason
                                                                      : link_.state().reason);
     }
@@ -117,8 +117,9 @@ ExitCode fetch(FetchArguments arguments) {
 
 Command addFetchCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
-        "fetch", "Fetch a recording from a tracker. Without a name: list those that lie there. What was fetched before "
-                 "is gone on with; tracks and picture of other consoles are not delayed");
+        "fetch",
+        "Fetch a recording from a tracker. Without a name: list those that lie there. What was fetched before "
+        "is gone on with; tracks and picture of other consoles are not delayed");
     auto arguments = std::make_shared<FetchArguments>();
     command->add_option("TRACKER", arguments->tracker, "tls://HOST:PORT, or tcp://127.0.0.1:PORT on this machine")
         ->required();

@@ -26,8 +26,8 @@ struct TrackOptions {
     std::optional<LinkAddress> report;
     std::optional<LinkAddress> serve;  ///< consoles
     bool datagrams = false;            ///< to them
-    std::string record;  ///< file, or nothing
-    std::string tracks;  ///< file, "-" or nothing
+    std::string record;                ///< file, or nothing
+    std::string tracks;                ///< file, "-" or nothing
     std::optional<ReplayOptions::Target> target;
     Settings settings;
     std::uint64_t seed = 0;

@@ -162,11 +162,16 @@ nlohmann::ordered_json TrackRun::finish(const std::string& reason) {
     if (feed_) summary["reports"] = {{"sent", feed_->counts().sent}, {"dropped", feed_->counts().dropped}};
     if (service_) {
         const TrackerService::Counts& counts = service_->counts();
-        summary["consoles"] = {{"connections", counts.link.connections}, {"turned_away", counts.link.turned_away},
-                               {"malformed", counts.link.malformed},     {"refused", counts.link.refused},
-                               {"dropped", counts.link.dropped},         {"resynchronised", counts.link.resynchronised},
-                               {"not_let_in", counts.turned_away},       {"missed_moments", counts.missed},
-                               {"record_bytes", counts.link.record_bytes},  {"datagrams", counts.link.datagrams},
+        summary["consoles"] = {{"connections", counts.link.connections},
+                               {"turned_away", counts.link.turned_away},
+                               {"malformed", counts.link.malformed},
+                               {"refused", counts.link.refused},
+                               {"dropped", counts.link.dropped},
+                               {"resynchronised", counts.link.resynchronised},
+                               {"not_let_in", counts.turned_away},
+                               {"missed_moments", counts.missed},
+                               {"record_bytes", counts.link.record_bytes},
+                               {"datagrams", counts.link.datagrams},
                                {"datagrams_refused", counts.datagrams_refused}};
     }
     runner_.record({UpdateKind::Summary, runner_.now(), summary.dump()});

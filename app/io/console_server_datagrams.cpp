@@ -38,13 +38,18 @@ void ConsoleServer::readDatagrams() {
         }
         peer->second.datagrams_to = from;
         peer->second.datagrams_port = port;
-        server_.receivedDatagram(peer->first, clock_(),
-                                 {reinterpret_cast<const std::uint8_t*>(text->data()), static_cast<std::size_t>(text->size())});
+        server_.receivedDatagram(
+            peer->first, clock_(),
+            {reinterpret_cast<const std::uint8_t*>(text->data()), static_cast<std::size_t>(text->size())});
         sendDatagrams(peer->first, peer->second);
     }
     if (datagrams_->hasPendingDatagrams())
         QMetaObject::invokeMethod(
-            this, [this] { if (datagrams_) readDatagrams(); }, Qt::QueuedConnection);
+            this,
+            [this] {
+                if (datagrams_) readDatagrams();
+            },
+            Qt::QueuedConnection);
 }
 
 void ConsoleServer::sendDatagrams(std::uint32_t console, Peer& peer) {

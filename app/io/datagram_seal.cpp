@@ -28,7 +28,9 @@ QByteArray nonceOf(DatagramSeal::Side side, std::uint64_t number) {
     return nonce + bigEndian(number);
 }
 
-const unsigned char* bytesOf(const QByteArray& text) { return reinterpret_cast<const unsigned char*>(text.constData()); }
+const unsigned char* bytesOf(const QByteArray& text) {
+    return reinterpret_cast<const unsigned char*>(text.constData());
+}
 unsigned char* bytesOf(QByteArray& text) { return reinterpret_cast<unsigned char*>(text.data()); }
 
 }  // namespace
@@ -49,7 +51,8 @@ QByteArray DatagramSeal::seal(const QByteArray& text) {
     const Cipher context = cipher();
     int length = 0;
     const bool done =
-        context && EVP_EncryptInit_ex(context.get(), EVP_aes_256_gcm(), nullptr, bytesOf(key_.key), bytesOf(nonce)) == 1 &&
+        context &&
+        EVP_EncryptInit_ex(context.get(), EVP_aes_256_gcm(), nullptr, bytesOf(key_.key), bytesOf(nonce)) == 1 &&
         EVP_EncryptUpdate(context.get(), nullptr, &length, bytesOf(std::as_const(datagram)), head_bytes) == 1 &&
         EVP_EncryptUpdate(context.get(), bytesOf(hidden), &length, bytesOf(text), static_cast<int>(text.size())) == 1 &&
         EVP_EncryptFinal_ex(context.get(), nullptr, &length) == 1 &&
@@ -66,7 +69,8 @@ std::optional<QByteArray> DatagramSeal::open(const QByteArray& datagram) {
     const Cipher context = cipher();
     int length = 0;
     const bool genuine =
-        context && EVP_DecryptInit_ex(context.get(), EVP_aes_256_gcm(), nullptr, bytesOf(key_.key), bytesOf(nonce)) == 1 &&
+        context &&
+        EVP_DecryptInit_ex(context.get(), EVP_aes_256_gcm(), nullptr, bytesOf(key_.key), bytesOf(nonce)) == 1 &&
         EVP_DecryptUpdate(context.get(), nullptr, &length, bytesOf(datagram), head_bytes) == 1 &&
         EVP_DecryptUpdate(context.get(), bytesOf(text), &length, bytesOf(datagram) + head_bytes,
                           static_cast<int>(size)) == 1 &&

@@ -15,20 +15,20 @@ namespace echotrail {
 
 /// How far a copy of a recording aboard has come, for a person to read.
 struct KeptRecording {
-    std::string name;            ///< aboard; empty before the tracker has said it
-    std::string path;            ///< of the copy; empty: none yet
+    std::string name;  ///< aboard; empty before the tracker has said it
+    std::string path;  ///< of the copy; empty: none yet
     LogFetch::Progress rows;
-    std::uint64_t bytes = 0;     ///< payload that came since it was begun or taken up again
+    std::uint64_t bytes = 0;  ///< payload that came since it was begun or taken up again
     std::uint64_t free_bytes = 0;
-    bool asking = false;         ///< the link is there, and rows are asked for
-    bool whole = false;          ///< all that there is, is here
-    std::string error;           ///< why it has ended: one line
+    bool asking = false;  ///< the link is there, and rows are asked for
+    bool whole = false;   ///< all that there is, is here
+    std::string error;    ///< why it has ended: one line
 };
 
-/// Keeps a copy of a recording aboard: says what to ask for next, writes what comes, and goes on after a break with what
-/// is missing. One request is under way at a time, no larger than what comes within half a second beyond the way's own
-/// delay: so much, and no more, may be in front of a track.
-/// Threads: state() from any; all else in the one it lives in, whose event loop runs.
+/// Keeps a copy of a recording aboard: says what to ask for next, writes what comes, and goes on after a break with
+/// what is missing. One request is under way at a time, no larger than what comes within half a second beyond the way's
+/// own delay: so much, and no more, may be in front of a track. Threads: state() from any; all else in the one it lives
+/// in, whose event loop runs.
 class RecordKeeper : public QObject {
     Q_OBJECT
 public:

@@ -90,8 +90,7 @@ Result<RecordingShelf::Place> RecordingShelf::find(const std::string& name) cons
 }
 
 Result<LinkRecordAnswer> RecordingShelf::answer(const LinkRecordRequest& request) {
-    if (std::holds_alternative<LinkListRecordings>(request.content))
-        return LinkRecordAnswer(LinkRecordings{0, list()});
+    if (std::holds_alternative<LinkListRecordings>(request.content)) return LinkRecordAnswer(LinkRecordings{0, list()});
     const auto* described = std::get_if<LinkDescribeRecording>(&request.content);
     const auto* wanted = std::get_if<LinkReadRows>(&request.content);
     const auto place = find(described ? described->recording : wanted->recording);

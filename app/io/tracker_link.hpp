@@ -32,9 +32,9 @@ struct TrackerLinkState {
     RemoteScene::Params params;
     std::optional<Timestamp> tracker_time;  ///< now, by its clock; none before it has answered
     std::optional<Timestamp> last_ping;
-    std::optional<double> age_s;  ///< since the last message
-    std::optional<KeptRecording> record;   ///< the copy of the run that is kept here; none where it is not kept
-    std::optional<KeptRecording> fetched;  ///< the recording that is fetched, or was the last
+    std::optional<double> age_s;                 ///< since the last message
+    std::optional<KeptRecording> record;         ///< the copy of the run that is kept here; none where it is not kept
+    std::optional<KeptRecording> fetched;        ///< the recording that is fetched, or was the last
     std::vector<LinkRecordingEntry> recordings;  ///< aboard, as last listed
     std::string recordings_error;                ///< why they could not be listed
 };

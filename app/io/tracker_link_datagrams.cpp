@@ -17,9 +17,9 @@ void TrackerLink::openDatagrams() {
             QByteArray datagram(static_cast<qsizetype>(DatagramSeal::longest), Qt::Uninitialized);
             datagram.truncate(std::max<qint64>(datagrams_->readDatagram(datagram.data(), datagram.size()), 0));
             if (const auto text = seal_->open(datagram))
-                client_.receivedDatagram(now(), seal_->newest(),
-                                         {reinterpret_cast<const std::uint8_t*>(text->data()),
-                                          static_cast<std::size_t>(text->size())});
+                client_.receivedDatagram(
+                    now(), seal_->newest(),
+                    {reinterpret_cast<const std::uint8_t*>(text->data()), static_cast<std::size_t>(text->size())});
         }
         converse();
     });
@@ -37,7 +37,8 @@ void TrackerLink::closeDatagrams() {
 
 void TrackerLink::reportDatagrams() {
     if (!datagrams_ || datagrams_->state() != QAbstractSocket::ConnectedState) return;
-    if (const auto text = client_.datagramToSend(now())) datagrams_->write(seal_->seal(QByteArray::fromStdString(*text)));
+    if (const auto text = client_.datagramToSend(now()))
+        datagrams_->write(seal_->seal(QByteArray::fromStdString(*text)));
 }
 
 }  // namespace echotrail

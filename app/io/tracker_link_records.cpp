@@ -23,8 +23,7 @@ std::unique_ptr<RecordKeeper> TrackerLink::makeKeeper(const std::string& folder,
     connect(keeper, &RecordKeeper::wantsRows, this, [=, this](const LinkReadRows& wanted) {
         if (lives()) ask(*keeper, client_.readRows(wanted));
     });
-    connect(keeper, &RecordKeeper::leftBehind, this,
-            [this, folder](const std::string& left) { fetch(left, folder); });
+    connect(keeper, &RecordKeeper::leftBehind, this, [this, folder](const std::string& left) { fetch(left, folder); });
     connect(keeper, &RecordKeeper::finished, this, [=, this] {
         if (!lives()) return;
         publish();
@@ -61,9 +60,8 @@ void TrackerLink::takeJoin() {
 
 void TrackerLink::tellJoined(RecordKeeper& keeper) {
     if (!client_.status().mayReadRecordings()) return;
-    QMetaObject::invokeMethod(&keeper, [&keeper, tracker = client_.status().welcome.tracker.name] {
-        keeper.linkUp(tracker);
-    });
+    QMetaObject::invokeMethod(&keeper,
+                              [&keeper, tracker = client_.status().welcome.tracker.name] { keeper.linkUp(tracker); });
 }
 
 /// Before the keepers hear that what they have asked for does not come: that is no refusal.

@@ -47,9 +47,9 @@ inline constexpr std::size_t fewest_rows = 2 * 1024;
 inline constexpr double rows_per_second = 2e6;  ///< bytes that are read for all consoles together, on average
 inline constexpr Microseconds between_rows_spared{1'000'000};  ///< where the way is too slow for the picture
 inline constexpr std::size_t most_recordings = 500;
-inline constexpr std::size_t most_parts = 10'000;            ///< of one recording
+inline constexpr std::size_t most_parts = 10'000;  ///< of one recording
 inline constexpr std::size_t longest_configuration = 256 * 1024;
-inline constexpr std::size_t longest_payload = 16 * 1024;    ///< of one row
+inline constexpr std::size_t longest_payload = 16 * 1024;  ///< of one row
 
 // Control
 inline constexpr Microseconds control_answer{15'000'000};  ///< then who has asked may take it

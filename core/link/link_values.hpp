@@ -164,8 +164,9 @@ struct LinkRows {
     LogRows rows;
 };
 
-using LinkEvent = std::variant<LinkWelcome, LinkSnapshot, LinkBeam, LinkRegions, LinkTracks, LinkClouds, LinkHealth,
-                               LinkLog, LinkControl, LinkParameters, LinkReply, LinkRecordings, LinkRecording, LinkRows>;
+using LinkEvent =
+    std::variant<LinkWelcome, LinkSnapshot, LinkBeam, LinkRegions, LinkTracks, LinkClouds, LinkHealth, LinkLog,
+                 LinkControl, LinkParameters, LinkReply, LinkRecordings, LinkRecording, LinkRows>;
 
 // What a console asks for, once it has been found sound and allowed.
 

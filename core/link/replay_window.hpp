@@ -5,8 +5,8 @@
 
 namespace echotrail {
 
-/// Tells numbers that have not come before from those that have, or that are too old to be told apart (RFC 4303, 3.4.3).
-/// Order: accept() only what is known to come from the sender.
+/// Tells numbers that have not come before from those that have, or that are too old to be told apart (RFC
+/// 4303, 3.4.3). Order: accept() only what is known to come from the sender.
 class ReplayWindow {
 public:
     static constexpr std::uint64_t width = 1024;

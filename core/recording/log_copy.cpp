@@ -48,9 +48,8 @@ Result<void> LogCopy::readHeld() {
         if (!hasHeldTable(database_.get())) {
             for (const LogTable table : log_tables)
                 held_[{part, table}].add(
-                    1, log_part::askInteger(database_.get(), table == LogTable::Events
-                                                                 ? "SELECT max(row) FROM events"
-                                                                 : "SELECT max(row) FROM results")
+                    1, log_part::askInteger(database_.get(), table == LogTable::Events ? "SELECT max(row) FROM events"
+                                                                                       : "SELECT max(row) FROM results")
                            .value_or(0));
             continue;
         }
@@ -58,7 +57,7 @@ Result<void> LogCopy::readHeld() {
         if (!rows) return Error{rows.error()};
         for (auto row = rows->step(); row && *row; row = rows->step())
             held_[{part, rows->integer(0) == 0 ? LogTable::Events : LogTable::Results}].add(rows->integer(1),
-                                                                                           rows->integer(2));
+                                                                                            rows->integer(2));
     }
     return {};
 }

@@ -91,7 +91,8 @@ Result<void> LogFetch::take(const LogRowsWanted& wanted, const LogRows& rows) {
         there = std::max(there, rows.rows.back().row);
         return copy_->add(wanted, rows.rows);
     }
-    // Nothing where rows were said to be: the log aboard has a hole there, or has become shorter. Not to be asked again.
+    // Nothing where rows were said to be: the log aboard has a hole there, or has become shorter. Not to be asked
+    // again.
     if (wanted.last <= rows.there)
         copy_->passOver(wanted);
     else

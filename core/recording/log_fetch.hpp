@@ -34,7 +34,7 @@ public:
 private:
     struct Part {
         LogExtent there;
-        LogExtent begins{1, 1};  ///< rows from here on come first
+        LogExtent begins{1, 1};                     ///< rows from here on come first
         std::array<bool, 2> settled{false, false};  ///< by table: no row is added any more
         std::int64_t results_seen = 0;              ///< that may be fetched once the events have been asked for
     };

@@ -16,8 +16,8 @@
 /// monotonic_us, chunk, chunks, crc, payload): an event of more than `chunk_bytes` lies in several rows. Table
 /// `results` (row, kind, utc_us, crc, payload): what the tracker found, JSON. The crc is the CRC-32 of IEEE 802.3 over
 /// the row's other numbers as little-endian 64-bit integers, or its key, and its payload. No row is as long as a page,
-/// so that each lies whole in one and can be found without trusting anything around it (log_recovery.hpp). A copy that is
-/// not whole yet has a third table (log_copy.hpp).
+/// so that each lies whole in one and can be found without trusting anything around it (log_recovery.hpp). A copy that
+/// is not whole yet has a third table (log_copy.hpp).
 namespace echotrail {
 
 /// The numbers are stored: they never change their meaning.

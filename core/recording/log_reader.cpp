@@ -214,8 +214,7 @@ Result<std::set<std::uint64_t>> LogReader::skips() {
         auto rows = sqlite::Statement::prepare(part.database.get(), "SELECT payload FROM events WHERE kind = 8");
         if (!rows) return Error{rows.error()};
         auto row = rows->step();
-        for (; row && *row; row = rows->step())
-            sequences.insert(static_cast<std::uint64_t>(number(rows->text(0))));
+        for (; row && *row; row = rows->step()) sequences.insert(static_cast<std::uint64_t>(number(rows->text(0))));
         if (!row) return Error{row.error()};
     }
     return sequences;

@@ -35,7 +35,8 @@ double residentMebibytes() {
 /// A console as others see it: it reads what comes, and asks for the rows of the run; or it reads nothing at all.
 class Console {
 public:
-    Console(std::uint16_t port, bool deaf) : thread_([=, this](const std::stop_token& stop) { run(stop, port, deaf); }) {}
+    Console(std::uint16_t port, bool deaf)
+        : thread_([=, this](const std::stop_token& stop) { run(stop, port, deaf); }) {}
 
 private:
     void run(const std::stop_token& stop, std::uint16_t port, bool deaf) {
@@ -151,8 +152,7 @@ void oneConsoleAgainstTen(benchmark::State& state) {
         for (int round = 0; round < 2 * rounds; ++round) {
             std::vector<std::unique_ptr<Console>> consoles;
             const bool many = round % 2 == 1;
-            for (int i = 0; i < (many ? 10 : 1); ++i)
-                consoles.push_back(std::make_unique<Console>(run.port(), i == 9));
+            for (int i = 0; i < (many ? 10 : 1); ++i) consoles.push_back(std::make_unique<Console>(run.port(), i == 9));
             std::this_thread::sleep_for(to_settle);
             for (int i = 0; i < pings_a_round; ++i) {
                 const double took_us = run.ping(pings[next++ % pings.size()]);

@@ -32,9 +32,9 @@ struct LiveLink {
 
 /// A copy of a recording aboard that is made here, as far as it has come.
 struct RecordingCopy {
-    QString name;            ///< aboard; empty before the tracker has said it
-    QString path;            ///< here; empty: none yet
-    QString error;           ///< why it has ended, one line
+    QString name;   ///< aboard; empty before the tracker has said it
+    QString path;   ///< here; empty: none yet
+    QString error;  ///< why it has ended, one line
     qint64 rows = 0, there = 0;
     qint64 missed = 0;       ///< rows of while the link was down that are not here yet
     quint64 bytes = 0;       ///< that came
@@ -55,13 +55,13 @@ struct RecordingAboard {
 /// A tracker far away, where the live source is one.
 struct TrackerState {
     LiveLink link;
-    QString name;                        ///< of the vehicle; empty before it has said so
-    std::optional<double> latency_s;     ///< of the last echo line, from its transmission to this console
-    std::optional<double> round_trip_s;  ///< of the link
-    quint64 gaps = 0;                    ///< messages that did not come
-    bool holds_control = false;          ///< this console does
-    bool asks_control = false;           ///< this console does
-    QString holder, asking;              ///< names of consoles; empty: nobody
+    QString name;                          ///< of the vehicle; empty before it has said so
+    std::optional<double> latency_s;       ///< of the last echo line, from its transmission to this console
+    std::optional<double> round_trip_s;    ///< of the link
+    quint64 gaps = 0;                      ///< messages that did not come
+    bool holds_control = false;            ///< this console does
+    bool asks_control = false;             ///< this console does
+    QString holder, asking;                ///< names of consoles; empty: nobody
     std::optional<RecordingCopy> record;   ///< of the run, kept here; none where it is not
     std::optional<RecordingCopy> fetched;  ///< the recording that is fetched, or was the last
     QList<RecordingAboard> recordings;     ///< as last listed, the newest first

@@ -39,8 +39,8 @@ public:
     void openTracker(const QString& address, bool record);
     bool canFollow() const { return live_access_.open_tracker != nullptr; }
     bool isTracker() const { return live_ && own_params_; }
-    /// Parameters and seed are those of the run that was recorded, as they were at each ping: until someone sets others.
-    /// When the recording is closed those of before are back.
+    /// Parameters and seed are those of the run that was recorded, as they were at each ping: until someone sets
+    /// others. When the recording is closed those of before are back.
     bool isAsRecorded() const { return runner_ && own_params_; }
     /// What is set counts for recordings too, whatever was in force when they were made.
     void setOverridesRecorded(bool on) { overrides_recorded_ = on; }

@@ -21,7 +21,8 @@ LogHeader headerOf(std::int64_t run) {
     return {"test", "no head", "", 7, Timestamp(std::chrono::seconds(1'700'000'000 + run))};
 }
 
-/// A tracker at work whose head says nothing in particular: every 10 ms bytes come, and now and then it finds something.
+/// A tracker at work whose head says nothing in particular: every 10 ms bytes come, and now and then it finds
+/// something.
 struct Vehicle {
     Vehicle(const std::string& folder, const std::string& path, std::int64_t run, std::uint16_t port = 0)
         : runner({}, 7, LogWriter::create(path, headerOf(run)).value()),
@@ -35,8 +36,8 @@ struct Vehicle {
     }
     ~Vehicle() { end(); }
     void live() {
-        runner.post(EventKind::SonarBytes, std::vector<std::uint8_t>(lived % 40 ? 400 : 9'000,
-                                                                     static_cast<std::uint8_t>(lived * 7)));
+        runner.post(EventKind::SonarBytes,
+                    std::vector<std::uint8_t>(lived % 40 ? 400 : 9'000, static_cast<std::uint8_t>(lived * 7)));
         if (lived % 3 == 0)
             runner.record({UpdateKind::Track, runner.now(), "{\"look\":" + std::to_string(lived) + "}"});
         ++lived;
@@ -227,10 +228,10 @@ TEST_F(KeptRecordings, AFetchThatIsCancelledIsTakenUpAgain) {
     ASSERT_TRUE(becomes([&] { return link.state().fetched->whole; })) << link.state().fetched->error;
     std::uint64_t all = 0;
     for (const LogTable table : log_tables)
-        for (const LogRow& row : readLogRows(aboard("run1.echotrail"), LogUse::Resting,
-                                             {0, table, 1, 1 << 30, std::size_t{1} << 30})
-                                     .value()
-                                     .rows)
+        for (const LogRow& row :
+             readLogRows(aboard("run1.echotrail"), LogUse::Resting, {0, table, 1, 1 << 30, std::size_t{1} << 30})
+                 .value()
+                 .rows)
             all += row.payload.size();
     EXPECT_EQ(bytes + link.state().fetched->bytes, all) << "what was here has not come again";
     EXPECT_EQ(hashesOf(link.state().fetched->path, LogUse::Resting),

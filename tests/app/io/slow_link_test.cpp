@@ -33,8 +33,7 @@ struct Tracker {
               requests.push_back(request);
               return std::optional<std::vector<NamedValue>>();
           }) {
-        if (shelf)
-            server.serveRecordings([shelf](const LinkRecordRequest& request) { return shelf->answer(request); });
+        if (shelf) server.serveRecordings([shelf](const LinkRecordRequest& request) { return shelf->answer(request); });
         address = server.listen(at(port)).value();
         QObject::connect(&pings, &QTimer::timeout, &pings, [this] { ping(); });
     }

@@ -34,8 +34,7 @@ struct Tracker {
     explicit Tracker(const std::string& where = "tcp://127.0.0.1:0", RecordingShelf* shelf = nullptr)
         : server({"vehicle", "test"}, namedValues({}), clockNow,
                  [this](const LinkRequest& request) { return answer(request); }) {
-        if (shelf)
-            server.serveRecordings([shelf](const LinkRecordRequest& request) { return shelf->answer(request); });
+        if (shelf) server.serveRecordings([shelf](const LinkRecordRequest& request) { return shelf->answer(request); });
         address = server.listen(parseLinkAddress(where).value()).value();
         server.publish(test::sampleHealth());
         for (std::uint64_t i = 0; i < 40; ++i) {

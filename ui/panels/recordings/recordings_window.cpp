@@ -67,7 +67,8 @@ RecordingsWindow::RecordingsWindow(PipelineBridge& bridge, QWidget* parent) : QD
 void RecordingsWindow::nameAll() {
     setWindowTitle(tr("Recordings aboard"));
     note_->setText(
-        tr("What is fetched comes after tracks, picture and health, and is gone on with after a break. A recording that is "
+        tr("What is fetched comes after tracks, picture and health, and is gone on with after a break. A recording "
+           "that is "
            "being written is fetched as far as it is now."));
     list_->setHeaderLabels({tr("Recording"), tr("Size"), tr("Last written (UTC)")});
     list_->setAccessibleName(tr("Recordings aboard"));
