@@ -40,7 +40,7 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
     sonar->excludes(recording)->excludes(demonstration);
     app.add_option("--navigation", options.navigation, "NMEA 0183 (heading, position, speed) from a link of this form")
         ->needs(sonar);
-    app.add_flag("--no-record", options.no_record, "Keep nothing of what the head sends")->needs(sonar);
+    app.add_flag("--no-record", options.no_record, "Keep nothing of what the head or the tracker sends");
     app.add_option("--connect", options.connect,
                    "Follow a tracker: tls://HOST:PORT once 'echotrail pair' has been run on both sides, or "
                    "tcp://127.0.0.1:PORT on "
@@ -73,6 +73,10 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
     if (!options.screenshot.empty() && options.recording.empty() && !options.demonstration && options.sonar.empty() &&
         options.connect.empty() && options.at_s) {
         std::cerr << "echotrail-console: --at needs a RECORDING, --demonstration, --sonar or --connect\n";
+        return usage_error;
+    }
+    if (options.no_record && options.sonar.empty() && options.connect.empty()) {
+        std::cerr << "echotrail-console: --no-record needs --sonar or --connect\n";
         return usage_error;
     }
     if (const auto applied = applyParameters(options.params, files, assignments); !applied) {

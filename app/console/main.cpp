@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     if (options.demonstration) window.openDemonstration();
     if (!chosen) window.greet();
     if (!options.recording.empty()) window.openRecording(QString::fromStdString(options.recording));
-    if (!options.connect.empty()) window.openTracker(QString::fromStdString(options.connect));
+    if (!options.connect.empty()) window.openTracker(QString::fromStdString(options.connect), !options.no_record);
     if (!options.sonar.empty())
         window.connection().connectTo(QString::fromStdString(options.sonar), QString::fromStdString(options.navigation),
                                       !options.no_record);

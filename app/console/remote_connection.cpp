@@ -1,8 +1,8 @@
 #include "remote_connection.hpp"
 
 #include "app/io/link_health.hpp"
+#include "app/io/recording_path.hpp"
 
-#include <QHostAddress>
 #include <QSysInfo>
 #include <algorithm>
 
@@ -13,6 +13,19 @@ LiveLink shown(const LinkEnd& end, double health_age_s) {
     LiveLink link{end.up, QString::fromStdString(end.reason), {}};
     if (end.age_s) link.age_s = *end.age_s + health_age_s;
     return link;
+}
+
+RecordingCopy shown(const KeptRecording& kept) {
+    return {.name = QString::fromStdString(kept.name),
+            .path = QString::fromStdString(kept.path),
+            .error = QString::fromStdString(kept.error),
+            .rows = kept.rows.rows,
+            .there = kept.rows.there,
+            .missed = kept.rows.missed,
+            .bytes = kept.bytes,
+            .free_bytes = kept.free_bytes,
+            .asking = kept.asking,
+            .whole = kept.whole};
 }
 
 TrackerState trackerState(const TrackerLinkState& state) {
@@ -27,27 +40,25 @@ TrackerState trackerState(const TrackerLinkState& state) {
     tracker.holder = QString::fromStdString(client.control.holder_name);
     tracker.asking = QString::fromStdString(client.control.asking_name);
     tracker.asks_control = state.up && client.control.asking != 0 && client.control.asking == client.welcome.console;
+    if (state.record) tracker.record = shown(*state.record);
+    if (state.fetched) tracker.fetched = shown(*state.fetched);
+    for (const LinkRecordingEntry& each : state.recordings)
+        tracker.recordings.append({QString::fromStdString(each.name), each.bytes, each.changed, each.written});
+    tracker.recordings_error = QString::fromStdString(state.recordings_error);
     return tracker;
 }
 
 }  // namespace
 
-Result<std::unique_ptr<LiveSource>> RemoteConnection::make(const QString& address) {
-    auto parsed = parseLinkAddress(address.toStdString());
-    const std::string forms = "say tls://HOST:PORT, or tcp://127.0.0.1:PORT on this machine";
-    if (!parsed) return Error{"'" + address.toStdString() + "' is no address of a tracker; " + forms};
-    const bool plain = parsed->kind == LinkAddress::Kind::Tcp;
-    if ((!plain && parsed->kind != LinkAddress::Kind::Tls) || parsed->port == 0)
-        return Error{address.toStdString() + ": a tracker is not reached so; " + forms};
-    const bool here = parsed->host == "localhost" || QHostAddress(QString::fromStdString(parsed->host)).isLoopback();
-    if (plain && !here)
-        return Error{address.toStdString() + ": plain TCP does not leave this machine; pair with echotrail pair, and " +
-                     forms};
-    return std::unique_ptr<LiveSource>(std::make_unique<RemoteConnection>(*parsed));
+Result<std::unique_ptr<LiveSource>> RemoteConnection::make(const QString& address, bool record) {
+    const auto parsed = parseTrackerAddress(address.toStdString());
+    if (!parsed) return Error{parsed.error()};
+    return std::unique_ptr<LiveSource>(std::make_unique<RemoteConnection>(*parsed, record));
 }
 
-RemoteConnection::RemoteConnection(const LinkAddress& address)
-    : link_(address, {QSysInfo::machineHostName().toStdString(), "echotrail-console " ECHOTRAIL_VERSION}) {
+RemoteConnection::RemoteConnection(const LinkAddress& address, bool record)
+    : link_(address, {QSysInfo::machineHostName().toStdString(), "echotrail-console " ECHOTRAIL_VERSION},
+            record ? recordingsFolder() : std::string()) {
     thread_.setObjectName("tracker link");
     link_.moveToThread(&thread_);
 }
@@ -91,6 +102,18 @@ void RemoteConnection::control(TrackerControl action) {
     if (action == TrackerControl::Keep) wanted = ControlAction::Keep;
     if (action == TrackerControl::Take) wanted = ControlAction::Take;
     QMetaObject::invokeMethod(&link_, [this, wanted] { link_.control(wanted); });
+}
+
+void RemoteConnection::listRecordings() {
+    QMetaObject::invokeMethod(&link_, [this] { link_.listRecordings(); });
+}
+
+void RemoteConnection::fetchRecording(const QString& name) {
+    QMetaObject::invokeMethod(&link_, [this, name] { link_.fetch(name.toStdString(), recordingsFolder()); });
+}
+
+void RemoteConnection::cancelFetch() {
+    QMetaObject::invokeMethod(&link_, [this] { link_.cancelFetch(); });
 }
 
 std::optional<LiveNotice> RemoteConnection::takeNotice() {

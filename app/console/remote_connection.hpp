@@ -11,9 +11,10 @@ namespace echotrail {
 /// painting of the picture.
 class RemoteConnection : public LiveSource {
 public:
-    /// `address` is tls, or tcp on this machine; the error, a matter of usage, says what would be accepted.
-    static Result<std::unique_ptr<LiveSource>> make(const QString& address);
-    explicit RemoteConnection(const LinkAddress& address);
+    /// `address` is tls, or tcp on this machine; the error, a matter of usage, says what would be accepted. With
+    /// `record` a copy of the run is kept in the folder of recordings.
+    static Result<std::unique_ptr<LiveSource>> make(const QString& address, bool record);
+    RemoteConnection(const LinkAddress& address, bool record);
     ~RemoteConnection() override;
 
     void start() override;
@@ -28,6 +29,9 @@ public:
     std::optional<LiveRunner::Params> takeParams() override { return link_.takeParams(); }
     std::optional<LiveNotice> takeNotice() override;
     void control(TrackerControl action) override;
+    void listRecordings() override;
+    void fetchRecording(const QString& name) override;
+    void cancelFetch() override;
 
 private:
     TrackerLink link_;

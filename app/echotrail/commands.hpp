@@ -18,6 +18,9 @@ Command addTrackCommand(CLI::App& program);
 /// `echotrail pair`: whom this machine lets in, or goes to.
 Command addPairCommand(CLI::App& program);
 
+/// `echotrail fetch`: recordings from a tracker, whole or as they grow.
+Command addFetchCommand(CLI::App& program);
+
 /// `echotrail replay`: a recording through the pipeline, tracks out.
 Command addReplayCommand(CLI::App& program);
 

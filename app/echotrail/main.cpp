@@ -20,7 +20,7 @@ ExitCode runCommand(int argc, char** argv) {
         {"simulate", echotrail::addSimulateCommand(program)}, {"verify", echotrail::addVerifyCommand(program)},
         {"convert", echotrail::addConvertCommand(program)},   {"recover", echotrail::addRecoverCommand(program)},
         {"evaluate", echotrail::addEvaluateCommand(program)}, {"info", echotrail::addInfoCommand(program)},
-        {"pair", echotrail::addPairCommand(program)}};
+        {"pair", echotrail::addPairCommand(program)},         {"fetch", echotrail::addFetchCommand(program)}};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

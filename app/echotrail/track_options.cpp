@@ -22,10 +22,15 @@ void addTrackOptions(CLI::App& command, TrackArguments& a) {
         "times a second, or ?rate=0.1 to 50, where it is by now as predicted: position (m), velocity (m/s), covariance "
         "(m²), age of the last echo (s), validity, closest approach (m), time to it (s) and risk (0 to 1); with "
         "?format=nmea (or &format=nmea) as TTM sentences, and TLL where GGA or RMC say where on earth");
-    command.add_option(
+    auto* serve = command.add_option(
         "--serve", a.serve,
         "Consoles are served at tcp://127.0.0.1:PORT (0: any free port), which only this machine reaches, "
         "or at tls://0.0.0.0:PORT, where those may come in that are paired; see echotrail pair");
+    command
+        .add_flag("--datagrams", a.datagrams,
+                  "Picture, regions and particles go to consoles by UDP on the port of --serve, sealed, as long as "
+                  "that arrives; all else, and all of it otherwise, by TCP")
+        ->needs(serve);
     addRunOptions(command, a);
     command.add_option("--seed", a.seed, "Seed of the random numbers (default 0)")->check(CLI::NonNegativeNumber);
     command
@@ -47,6 +52,7 @@ Result<TrackOptions> checkTrackOptions(const TrackArguments& a) {
     if (*serve)
         if (auto servable = checkServable(**serve); !servable) return Error{"--serve: " + servable.error()};
     options.serve = *std::move(serve);
+    options.datagrams = a.datagrams;
     auto settings = readSettings(a.parameter_files, a.assignments);
     if (!settings) return Error{settings.error()};
     options.settings = *std::move(settings);

@@ -17,7 +17,7 @@ struct TrackArguments : RunArguments {
     std::string sonar, navigation, record, report, serve;
     std::uint64_t seed = 0;
     double duration_s = 0.0;  ///< 0: until it is told to end
-    bool no_record = false, quiet = false;
+    bool no_record = false, datagrams = false, quiet = false;
 };
 
 /// The same, understood and checked.
@@ -25,8 +25,9 @@ struct TrackOptions {
     LiveAddresses addresses;
     std::optional<LinkAddress> report;
     std::optional<LinkAddress> serve;  ///< consoles
-    std::string record;  ///< file, or nothing
-    std::string tracks;  ///< file, "-" or nothing
+    bool datagrams = false;            ///< to them
+    std::string record;                ///< file, or nothing
+    std::string tracks;                ///< file, "-" or nothing
     std::optional<ReplayOptions::Target> target;
     Settings settings;
     std::uint64_t seed = 0;

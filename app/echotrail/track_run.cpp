@@ -1,5 +1,7 @@
 #include "track_run.hpp"
 
+#include "app/io/recording_path.hpp"
+
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
@@ -30,10 +32,11 @@ TrackRun::TrackRun(const TrackOptions& options, std::unique_ptr<LogWriter> log, 
 Result<void> TrackRun::serve() {
     if (!options_.serve) return {};
     service_ =
-        std::make_unique<TrackerService>(options_.settings.params, runner_, *link_, "echotrail " ECHOTRAIL_VERSION);
+        std::make_unique<TrackerService>(options_.settings.params, runner_, *link_, "echotrail " ECHOTRAIL_VERSION,
+                                         RecordingShelf(recordingsFolder(), options_.record));
     connect(service_.get(), &TrackerService::noted, this,
             [this](const QString& text) { tell(LinkLog::Weight::Note, text.toStdString()); });
-    const auto address = service_->start(*options_.serve);
+    const auto address = service_->start(*options_.serve, options_.datagrams);
     if (!address) return Error{address.error()};
     note("consoles are served at " + toText(*address));
     const bool by_tls = address->kind == LinkAddress::Kind::Tls;
@@ -159,10 +162,17 @@ nlohmann::ordered_json TrackRun::finish(const std::string& reason) {
     if (feed_) summary["reports"] = {{"sent", feed_->counts().sent}, {"dropped", feed_->counts().dropped}};
     if (service_) {
         const TrackerService::Counts& counts = service_->counts();
-        summary["consoles"] = {{"connections", counts.link.connections}, {"turned_away", counts.link.turned_away},
-                               {"malformed", counts.link.malformed},     {"refused", counts.link.refused},
-                               {"dropped", counts.link.dropped},         {"resynchronised", counts.link.resynchronised},
-                               {"not_let_in", counts.turned_away},       {"missed_moments", counts.missed}};
+        summary["consoles"] = {{"connections", counts.link.connections},
+                               {"turned_away", counts.link.turned_away},
+                               {"malformed", counts.link.malformed},
+                               {"refused", counts.link.refused},
+                               {"dropped", counts.link.dropped},
+                               {"resynchronised", counts.link.resynchronised},
+                               {"not_let_in", counts.turned_away},
+                               {"missed_moments", counts.missed},
+                               {"record_bytes", counts.link.record_bytes},
+                               {"datagrams", counts.link.datagrams},
+                               {"datagrams_refused", counts.datagrams_refused}};
     }
     runner_.record({UpdateKind::Summary, runner_.now(), summary.dump()});
     runner_.closeLog();

@@ -9,6 +9,7 @@
 #include <QHostAddress>
 #include <QSslSocket>
 #include <QTcpSocket>
+#include <QUdpSocket>
 #include <utility>
 
 namespace echotrail {
@@ -60,10 +61,16 @@ ConsoleServer::ConsoleServer(const LinkIdentity& identity, std::vector<NamedValu
       trust_(trust) {}
 
 ConsoleServer::~ConsoleServer() {
+    datagrams_.reset();
     for (auto& [console, peer] : peers_) {
         peer.socket->disconnect(this);
         peer.socket->abort();
     }
+}
+
+void ConsoleServer::serveRecordings(RecordHandler handler) {
+    record_handler_ = std::move(handler);
+    server_.serveRecordings();
 }
 
 Result<LinkAddress> ConsoleServer::listen(const LinkAddress& address) {
@@ -71,6 +78,7 @@ Result<LinkAddress> ConsoleServer::listen(const LinkAddress& address) {
     if (auto made = makeListener(address); !made) return Error{made.error()};
     if (!listener_->listen(hostOf(address), address.port))
         return Error{"cannot serve consoles on " + toText(address) + ": " + listener_->errorString().toStdString()};
+    if (wants_datagrams_) openDatagrams();
     tick_ = new QTimer(this);
     connect(tick_, &QTimer::timeout, this, [this] { tick(); });
     tick_->start(tick_ms);
@@ -114,13 +122,21 @@ void ConsoleServer::welcomeByTls(QSslSocket* socket) {
 
 /// A console's number, where there is room for it.
 std::optional<std::uint32_t> ConsoleServer::welcome(QTcpSocket* socket) {
-    const auto console = server_.connected(clock_());
+    auto key = datagrams_ ? DatagramKey::make() : std::nullopt;
+    std::optional<LinkDatagrams> offer;
+    if (key) offer = LinkDatagrams{datagrams_->localPort(), key->session, key->key.toStdString()};
+    const auto console = server_.connected(clock_(), std::move(offer));
     if (!console) {
         socket->abort();
         socket->deleteLater();
         return console;
     }
-    peers_[*console].socket = socket;
+    Peer& peer = peers_[*console];
+    peer.socket = socket;
+    if (key) {
+        consoles_of_datagrams_[key->session] = *console;
+        peer.seal = std::make_unique<DatagramSeal>(*std::move(key), DatagramSeal::Side::Tracker);
+    }
     socket->setReadBufferSize(read_bytes);
     socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
     socket->setSocketOption(QAbstractSocket::SendBufferSizeSocketOption, kernel_bytes);
@@ -142,6 +158,7 @@ void ConsoleServer::read(std::uint32_t console) {
     server_.received(console, clock_(),
                      {reinterpret_cast<const std::uint8_t*>(bytes.data()), static_cast<std::size_t>(bytes.size())});
     answerRequests();
+    answerRecordRequests();
     flush(console);
     tellNotes();
     if (peers_.contains(console) && socket->bytesAvailable() > 0)
@@ -160,10 +177,18 @@ void ConsoleServer::answerRequests() {
     if (answered) flush();
 }
 
+void ConsoleServer::answerRecordRequests() {
+    while (const auto request = server_.nextRecordRequest(clock_())) {
+        server_.answer(*request, record_handler_(*request), clock_());
+        flush(request->console);
+    }
+}
+
 void ConsoleServer::flush(std::uint32_t console) {
     const auto found = peers_.find(console);
     if (found == peers_.end()) return;
     Peer& peer = found->second;
+    sendDatagrams(console, peer);
     if (const qint64 room = socket_bytes - waitingIn(*peer.socket); room > 0) {
         std::string out;
         server_.takeOutput(console, clock_(), out, static_cast<std::size_t>(room));
@@ -187,6 +212,7 @@ void ConsoleServer::close(std::uint32_t console) {
     const auto peer = peers_.find(console);
     if (peer == peers_.end()) return;
     QTcpSocket* socket = peer->second.socket;
+    std::erase_if(consoles_of_datagrams_, [&](const auto& each) { return each.second == console; });
     peers_.erase(peer);
     socket->disconnect(this);
     socket->abort();
@@ -198,6 +224,7 @@ void ConsoleServer::close(std::uint32_t console) {
 void ConsoleServer::tick() {
     server_.tick(clock_());
     dropRevoked();
+    answerRecordRequests();
     flush();
     std::vector<std::uint32_t> over;
     for (const auto& [console, peer] : peers_)

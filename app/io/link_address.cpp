@@ -1,5 +1,6 @@
 #include "app/io/link_address.hpp"
 
+#include <QHostAddress>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -112,6 +113,19 @@ Result<std::optional<LinkAddress>> parseLinkOption(const std::string& option, co
     auto address = parseLinkAddress(text);
     if (!address) return Error{option + ": " + address.error()};
     return std::optional(*std::move(address));
+}
+
+Result<LinkAddress> parseTrackerAddress(const std::string& text) {
+    const std::string forms = "say tls://HOST:PORT, or tcp://127.0.0.1:PORT on this machine";
+    auto parsed = parseLinkAddress(text);
+    if (!parsed) return Error{"'" + text + "' is no address of a tracker; " + forms};
+    const bool plain = parsed->kind == LinkAddress::Kind::Tcp;
+    if ((!plain && parsed->kind != LinkAddress::Kind::Tls) || parsed->port == 0)
+        return Error{text + ": a tracker is not reached so; " + forms};
+    const QString host = QString::fromStdString(parsed->host);
+    if (plain && host != "localhost" && !QHostAddress(host).isLoopback())
+        return Error{text + ": plain TCP does not leave this machine; pair with echotrail pair, and " + forms};
+    return parsed;
 }
 
 std::string toText(const LinkAddress& address) {

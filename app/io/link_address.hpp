@@ -33,6 +33,10 @@ Result<LinkAddress> parseLinkAddress(const std::string& text);
 /// The same of an option that may be left out; the error names the option.
 Result<std::optional<LinkAddress>> parseLinkOption(const std::string& option, const std::string& text);
 
+/// Where a tracker serves consoles: tls, or tcp on this machine. The error, a matter of usage, says what would be
+/// accepted.
+Result<LinkAddress> parseTrackerAddress(const std::string& text);
+
 /// As it is typed.
 std::string toText(const LinkAddress& address);
 

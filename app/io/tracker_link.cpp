@@ -2,6 +2,7 @@
 
 #include "core/runtime/link_moment.hpp"
 
+#include <QUdpSocket>
 #include <utility>
 
 namespace echotrail {
@@ -13,10 +14,15 @@ constexpr std::size_t most_notices = 50;
 
 }  // namespace
 
-TrackerLink::TrackerLink(const LinkAddress& address, const LinkIdentity& identity)
-    : address_(address), client_(LinkClient::Options{.identity = identity}) {}
+TrackerLink::TrackerLink(const LinkAddress& address, const LinkIdentity& identity, const std::string& folder,
+                         bool wants_control)
+    : address_(address),
+      client_(LinkClient::Options{.identity = identity, .wants_control = wants_control, .datagrams = true}),
+      folder_(folder) {
+    records_thread_.setObjectName("records");
+}
 
-TrackerLink::~TrackerLink() = default;
+TrackerLink::~TrackerLink() { close(); }
 
 Microseconds TrackerLink::now() const {
     return std::chrono::duration_cast<Microseconds>(std::chrono::steady_clock::now() - started_);
@@ -24,6 +30,8 @@ Microseconds TrackerLink::now() const {
 
 void TrackerLink::open() {
     if (std::exchange(wanted_, true)) return;
+    records_thread_.start();
+    if (!folder_.empty()) keeper_ = makeKeeper(folder_, {});
     channel_ = makeChannel(address_);  // here, so that its socket belongs to the thread that works with it
     connectChannel();
     tick_ = new QTimer(this);
@@ -40,6 +48,11 @@ void TrackerLink::close() {
     delete std::exchange(tick_, nullptr);
     channel_.reset();
     client_.linkDown();
+    closeDatagrams();
+    endKeeper(keeper_);
+    endKeeper(fetch_);
+    records_thread_.quit();
+    records_thread_.wait();
 }
 
 void TrackerLink::connectChannel() {
@@ -54,6 +67,8 @@ void TrackerLink::connectChannel() {
 void TrackerLink::lost(const QString& reason) {
     reason_ = client_.status().refusal.empty() ? reason.toStdString() : "the tracker says: " + client_.status().refusal;
     client_.linkDown();
+    closeDatagrams();
+    takeLoss();
     takeEvents();
     publish();
 }
@@ -69,6 +84,7 @@ void TrackerLink::converse() {
     if (!channel_) return;
     takeEvents();
     sendParams();
+    reportDatagrams();
     const std::string out = client_.takeOutput();
     const bool sent = out.empty() || channel_->send(QByteArray(out.data(), static_cast<int>(out.size())));
     if (client_.wantsToClose() || (!sent && channel_->isUp())) {
@@ -91,7 +107,12 @@ void TrackerLink::converse() {
 
 void TrackerLink::takeEvents() {
     while (const auto event = client_.next()) {
+        if (takeRecordEvent(*event)) continue;
         remote_.take(*event);
+        if (std::holds_alternative<LinkWelcome>(*event)) {
+            takeJoin();
+            openDatagrams();
+        }
         if (std::holds_alternative<LinkWelcome>(*event)) reason_.clear();
         if (std::holds_alternative<LinkSnapshot>(*event))
             for (const std::string& why : remote_.passedOver())
@@ -186,6 +207,8 @@ void TrackerLink::publish() {
     published_.health = remote_.health();
     published_.params = remote_.params();
     published_.last_ping = remote_.lastPing();
+    if (keeper_) published_.record = keeper_->state();
+    if (fetch_) published_.fetched = fetch_->state();
     tracker_offset_.reset();
     if (const auto theirs = client_.trackerTime(now())) tracker_offset_ = theirs->time_since_epoch() - now();
 }

@@ -17,24 +17,26 @@ std::vector<std::uint8_t> bytesOf(std::string_view text) { return {text.begin(),
 }  // namespace
 
 TrackerService::TrackerService(const LiveRunner::Params& params, LiveRunner& runner, HeadLink& head,
-                               const std::string& program)
-    : runner_(runner), head_(head), params_(params) {
+                               const std::string& program, RecordingShelf shelf)
+    : runner_(runner), head_(head), params_(params), shelf_(std::move(shelf)) {
     thread_.setObjectName("consoles");
     server_ = std::make_unique<ConsoleServer>(
         LinkIdentity{QSysInfo::machineHostName().toStdString(), program}, namedValues(params),
         [this] { return runner_.now(); }, [this](const LinkRequest& request) { return answer(request); });
+    server_->serveRecordings([this](const LinkRecordRequest& request) { return shelf_.answer(request); });
     server_->moveToThread(&thread_);
     connect(server_.get(), &ConsoleServer::noted, this, &TrackerService::noted);
 }
 
 TrackerService::~TrackerService() { stop(); }
 
-Result<LinkAddress> TrackerService::start(const LinkAddress& address) {
+Result<LinkAddress> TrackerService::start(const LinkAddress& address, bool datagrams) {
     thread_.start();
     Result<LinkAddress> real = Error{"the consoles' thread does not run"};
     QMetaObject::invokeMethod(
         server_.get(),
         [&] {
+            if (datagrams) server_->serveDatagrams();
             real = server_->listen(address);
             if (!real) return;
             health_ = std::make_unique<QTimer>();
@@ -61,7 +63,7 @@ void TrackerService::stop() {
     QMetaObject::invokeMethod(
         server_.get(),
         [this] {
-            counts_ = {server_->counts(), server_->turnedAway(), missed_};
+            counts_ = {server_->counts(), server_->turnedAway(), server_->datagramsRefused(), missed_};
             health_.reset();
             server_.reset();
         },

@@ -2,6 +2,7 @@
 
 #include "app/io/console_server.hpp"
 #include "app/io/head_link.hpp"
+#include "app/io/recording_shelf.hpp"
 #include "core/runtime/live_runner.hpp"
 
 #include <QObject>
@@ -25,14 +26,18 @@ public:
     struct Counts {
         LinkServer::Counts link;
         std::map<std::string, std::uint64_t> turned_away;  ///< cause → connections that TLS did not let in
+        std::uint64_t datagrams_refused = 0;               ///< not from whom they said, or again
         std::uint64_t missed = 0;                          ///< moments that the consoles' thread was too slow for
     };
 
-    TrackerService(const LiveRunner::Params& params, LiveRunner& runner, HeadLink& head, const std::string& program);
+    /// Consoles may read what `shelf` holds.
+    TrackerService(const LiveRunner::Params& params, LiveRunner& runner, HeadLink& head, const std::string& program,
+                   RecordingShelf shelf);
     ~TrackerService() override;
 
-    /// Gives the address that consoles have to be told; the error says why nobody can be served there.
-    Result<LinkAddress> start(const LinkAddress& address);
+    /// Gives the address that consoles have to be told; the error says why nobody can be served there. With `datagrams`
+    /// pictures go by UDP to those who want it.
+    Result<LinkAddress> start(const LinkAddress& address, bool datagrams = false);
     void stop();
     void take(const Ping& ping, const Update& update, const ScanningSonarPipeline& pipeline);
     void say(LinkLog::Weight weight, const std::string& text);
@@ -51,6 +56,7 @@ private:
     LiveRunner& runner_;
     HeadLink& head_;
     LiveRunner::Params params_;  ///< the consoles' thread's own
+    RecordingShelf shelf_;       ///< the same
     QThread thread_;
     std::unique_ptr<ConsoleServer> server_;  ///< lives there
     std::unique_ptr<QTimer> health_;         ///< there, too

@@ -14,6 +14,14 @@ constexpr Microseconds patience{10'000'000};  // a tracker answers every probe
 constexpr std::size_t probes_kept = 16;       // the quickest of them tells the clocks' difference best
 constexpr std::size_t most_unanswered = 1'000;
 
+std::optional<LinkDatagrams> datagramsOf(const wire::Welcome& welcome) {
+    const wire::Datagrams& in = welcome.datagrams();
+    if (!welcome.has_datagrams() || in.port() == 0 || in.port() > 65'535 ||
+        in.key().size() != link_limits::datagram_key_bytes)
+        return std::nullopt;
+    return LinkDatagrams{static_cast<std::uint16_t>(in.port()), in.session(), in.key()};
+}
+
 }  // namespace
 
 void LinkClient::linkUp(Microseconds now) {
@@ -30,8 +38,33 @@ void LinkClient::linkUp(Microseconds now) {
     hello.set_program(cleanText(options_.identity.program, link_limits::longest_name));
     hello.set_wants_control(options_.wants_control);
     hello.set_bytes_per_second(options_.bytes_per_second);
+    hello.set_datagrams(options_.datagrams);
     send(message);
     probe(now);
+}
+
+void LinkClient::receivedDatagram(Microseconds now, std::uint64_t number, std::span<const std::uint8_t> text) {
+    if (status_.state != State::Joined) return;
+    ++status_.datagrams;
+    newest_datagram_ = std::max(newest_datagram_, number);
+    status_.bytes += text.size();
+    wire::ToConsole message;
+    const bool whole = parse({reinterpret_cast<const char*>(text.data()), text.size()}, message);
+    const auto content = message.content_case();
+    if (whole && content == wire::ToConsole::kDatagramEcho) return;
+    const bool fits = content == wire::ToConsole::kBeam || content == wire::ToConsole::kRegions ||
+                      content == wire::ToConsole::kParticles;
+    if (!whole || !fits || !takeStream(message, now)) ++status_.malformed;
+}
+
+std::optional<std::string> LinkClient::datagramToSend(Microseconds now) {
+    if (status_.state != State::Joined || !status_.welcome.datagrams) return std::nullopt;
+    if (reported_ && now - *reported_ < link_limits::between_reports) return std::nullopt;
+    reported_ = now;
+    wire::ToTracker message;
+    message.mutable_datagrams()->set_newest(newest_datagram_);
+    message.mutable_datagrams()->set_received(status_.datagrams);
+    return message.SerializeAsString();
 }
 
 /// What was known of the far side stays, for the eye; its age tells that it is old.
@@ -96,7 +129,10 @@ bool LinkClient::take(const wire::ToConsole& message, Microseconds now) {
                             cleanText(welcome.program(), link_limits::longest_text)},
                            {},
                            welcome.console(),
-                           welcome.run()};
+                           welcome.run(),
+                           datagramsOf(welcome)};
+        status_.datagrams = newest_datagram_ = 0;
+        reported_.reset();
         for (const std::string& capability : welcome.capabilities())
             if (status_.welcome.capabilities.size() < link_limits::most_counts)
                 status_.welcome.capabilities.push_back(cleanText(capability, link_limits::longest_word));
@@ -124,6 +160,12 @@ bool LinkClient::take(const wire::ToConsole& message, Microseconds now) {
             add(*std::move(parameters));
             return true;
         }
+        case ToConsole::kRecordings:
+            return takeAnswer(message.recordings().request(), read(message.recordings()));
+        case ToConsole::kRecording:
+            return takeAnswer(message.recording().request(), read(message.recording()));
+        case ToConsole::kRows:
+            return takeAnswer(message.rows().request(), read(message.rows()));
         case ToConsole::CONTENT_NOT_SET:
             return true;  // of a newer tracker: nothing that this console knows
         default:
@@ -175,7 +217,10 @@ bool LinkClient::isNext(const wire::ToConsole& message) {
 bool LinkClient::takeStream(const wire::ToConsole& message, Microseconds now) {
     using wire::ToConsole;
     const std::uint64_t gaps_before = status_.gaps;
-    if (!isNext(message)) return false;
+    if (!isNext(message)) {
+        ++status_.late;
+        return true;
+    }
     const auto pass_on = [this](auto value) {
         if (!value) return false;
         add(*std::move(value));
@@ -204,6 +249,17 @@ bool LinkClient::takeStream(const wire::ToConsole& message, Microseconds now) {
     }
 }
 
+/// Of what was asked for, and only once.
+template <class Answer>
+bool LinkClient::takeAnswer(std::uint32_t request, std::optional<Answer> answer) {
+    if (unanswered_.erase(request) == 0) return false;
+    if (answer)
+        add(*std::move(answer));
+    else
+        add(LinkReply{request, false, "the answer cannot be understood"});
+    return answer.has_value();
+}
+
 void LinkClient::takeReply(const wire::ToConsole& message) {
     const wire::Reply& reply = message.reply();
     if (unanswered_.erase(reply.request()) == 0) return;  // nobody asked
@@ -220,11 +276,22 @@ void LinkClient::takeProbe(const wire::ToConsole& message, Microseconds now) {
     if (probes_.size() > probes_kept) probes_.pop_front();
 }
 
-std::optional<Timestamp> LinkClient::trackerTime(Microseconds now) const {
+std::optional<LinkClient::Probed> LinkClient::quickest() const {
     if (probes_.empty()) return std::nullopt;
-    const auto quickest = std::min_element(
-        probes_.begin(), probes_.end(), [](const Probed& a, const Probed& b) { return a.round_trip < b.round_trip; });
-    return Timestamp(now + quickest->offset);
+    return *std::min_element(probes_.begin(), probes_.end(),
+                             [](const Probed& a, const Probed& b) { return a.round_trip < b.round_trip; });
+}
+
+std::optional<Timestamp> LinkClient::trackerTime(Microseconds now) const {
+    const auto probed = quickest();
+    if (!probed) return std::nullopt;
+    return Timestamp(now + probed->offset);
+}
+
+std::optional<Microseconds> LinkClient::quickestRoundTrip() const {
+    const auto probed = quickest();
+    if (!probed) return std::nullopt;
+    return probed->round_trip;
 }
 
 void LinkClient::noteLatency(Timestamp happened, Microseconds now) {
@@ -314,6 +381,24 @@ std::uint32_t LinkClient::annotate(const std::string& text) {
 std::uint32_t LinkClient::control(ControlAction action) {
     wire::ToTracker message;
     message.mutable_control()->set_action(static_cast<wire::ControlRequest::Action>(action));
+    return ask(message);
+}
+
+std::uint32_t LinkClient::listRecordings() {
+    wire::ToTracker message;
+    message.mutable_list_recordings();
+    return ask(message);
+}
+
+std::uint32_t LinkClient::describeRecording(const std::string& name) {
+    wire::ToTracker message;
+    message.mutable_describe_recording()->set_recording(name);
+    return ask(message);
+}
+
+std::uint32_t LinkClient::readRows(const LinkReadRows& wanted) {
+    wire::ToTracker message;
+    write(wanted, *message.mutable_read_rows());
     return ask(message);
 }
 

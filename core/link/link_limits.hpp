@@ -40,6 +40,17 @@ inline constexpr std::chrono::milliseconds pairing_lasts{300'000};
 inline constexpr std::chrono::milliseconds pairing_answer{10'000};
 inline constexpr std::size_t most_paired = 200;  ///< on one machine
 
+// Recordings: what is asked for of them
+inline constexpr std::size_t most_record_requests = 4;  ///< of one console, that have no answer yet
+inline constexpr std::size_t longest_rows = 64 * 1024;  ///< bytes in one answer, about
+inline constexpr std::size_t fewest_rows = 2 * 1024;
+inline constexpr double rows_per_second = 2e6;  ///< bytes that are read for all consoles together, on average
+inline constexpr Microseconds between_rows_spared{1'000'000};  ///< where the way is too slow for the picture
+inline constexpr std::size_t most_recordings = 500;
+inline constexpr std::size_t most_parts = 10'000;  ///< of one recording
+inline constexpr std::size_t longest_configuration = 256 * 1024;
+inline constexpr std::size_t longest_payload = 16 * 1024;  ///< of one row
+
 // Control
 inline constexpr Microseconds control_answer{15'000'000};  ///< then who has asked may take it
 
@@ -48,6 +59,14 @@ inline constexpr std::size_t urgent_bytes = 6 * 1024 * 1024;  ///< a snapshot mu
 inline constexpr std::size_t regions_bytes = 256 * 1024;
 inline constexpr std::size_t particles_bytes = 256 * 1024;
 inline constexpr std::size_t picture_bytes = 2 * 1024 * 1024;
+inline constexpr std::size_t record_bytes = most_record_requests * 512 * 1024;
+
+// Datagrams
+inline constexpr std::size_t longest_datagram_text = 1'168;  ///< bytes before it is sealed: 1200 go uncut on any way
+inline constexpr std::size_t most_datagrams = 64;            ///< that wait for one console; then the oldest goes
+inline constexpr std::size_t datagram_key_bytes = 32;
+inline constexpr Microseconds between_reports{250'000};
+inline constexpr Microseconds nothing_arrives{2'000'000};  ///< then the streams go by TCP
 
 // What is kept for those who come late
 inline constexpr std::size_t recent_beams = 2000;

@@ -40,7 +40,7 @@ LinkSession* LinkServer::find(std::uint32_t console) const {
     return found == sessions_.end() ? nullptr : found->second.get();
 }
 
-std::optional<std::uint32_t> LinkServer::connected(Timestamp now) {
+std::optional<std::uint32_t> LinkServer::connected(Timestamp now, std::optional<LinkDatagrams> datagrams) {
     if (sessions_.size() >= link_limits::most_consoles) {
         ++counts_.turned_away;
         return std::nullopt;
@@ -48,6 +48,7 @@ std::optional<std::uint32_t> LinkServer::connected(Timestamp now) {
     ++counts_.connections;
     const std::uint32_t console = next_console_++;
     sessions_.emplace(console, std::make_unique<LinkSession>(console, now));
+    sessions_.at(console)->datagram_offer = std::move(datagrams);
     return console;
 }
 
@@ -56,6 +57,7 @@ void LinkServer::disconnected(std::uint32_t console, Timestamp now) {
     if (!session) return;
     if (session->welcomed && notes_.size() < most_notes) notes_.push_back("console '" + session->name + "' has left");
     sessions_.erase(console);
+    std::erase_if(record_pending_, [&](const LinkRecordRequest& request) { return request.console == console; });
     const LinkControl before = control_.state();
     control_.left(console);
     tellControl(before, now);
@@ -89,6 +91,10 @@ void LinkServer::take(LinkSession& session, const wire::ToTracker& message, Time
         ++counts_.malformed;
         return drop(session, "did not say hello first", now);
     }
+    const auto content = message.content_case();
+    if (content == ToTracker::kListRecordings || content == ToTracker::kDescribeRecording ||
+        content == ToTracker::kReadRows)
+        return takeRecordRequest(session, message, now);
     if (!session.mayAsk(now)) return refuse(session, message.request(), "too_many", "too many requests at once", now);
     wire::ToConsole out;
     switch (message.content_case()) {
@@ -130,8 +136,15 @@ void LinkServer::welcome(LinkSession& session, const wire::Hello& hello, Timesta
     welcome.set_name(identity_.name);
     for (const char* capability : {"parameters", "designate", "annotate", "control", "beams", "drop"})
         welcome.add_capabilities(capability);
+    if (recordings_) welcome.add_capabilities(link_recordings);
     welcome.set_console(session.console);
     welcome.set_run(run_);
+    if (!hello.datagrams() || hello.bytes_per_second() > 0) session.datagram_offer.reset();
+    if (session.datagram_offer) {
+        welcome.mutable_datagrams()->set_port(session.datagram_offer->port);
+        welcome.mutable_datagrams()->set_session(session.datagram_offer->session);
+        welcome.mutable_datagrams()->set_key(session.datagram_offer->key);
+    }
     send(session, out, now);
     const LinkControl before = control_.state();
     if (hello.wants_control() && before.holder == 0)
@@ -320,10 +333,10 @@ void LinkServer::publish(LinkMoment moment, Timestamp now) {
     MomentFrames frames = encoder_.encode(std::move(moment));
     for (const auto& [console, session] : sessions_) {
         send(*session, SendQueue::Lane::Urgent, frames.tracks, now);
-        send(*session, SendQueue::Lane::Regions, frames.regions, now);
-        send(*session, SendQueue::Lane::Particles, frames.particles, now);
+        stream(*session, SendQueue::Lane::Regions, frames.regions, now);
+        stream(*session, SendQueue::Lane::Particles, frames.particles, now);
         session->queue.judge(now);
-        send(*session, SendQueue::Lane::Picture, encoder_.beamAt(frames, session->queue.level()), now);
+        stream(*session, SendQueue::Lane::Picture, encoder_.beamAt(frames, session->queue.level()), now);
     }
 }
 

@@ -36,14 +36,20 @@ public:
         std::map<std::string, std::uint64_t> refused;  ///< cause → requests
         std::map<std::string, std::uint64_t> dropped;  ///< cause → consoles
         std::uint64_t resynchronised = 0;              ///< what waited was thrown away, and all told afresh
+        std::uint64_t datagrams = 0;                   ///< that were sent
+        std::uint64_t record_bytes = 0;                ///< of recordings, that were given
     };
 
     /// `run`: another number for every run of the tracker. The parameters in force have revision 1.
     LinkServer(const LinkIdentity& identity, std::uint64_t run, std::vector<NamedValue> parameters);
     ~LinkServer();
 
-    /// A console's number; none where there are too many.
-    std::optional<std::uint32_t> connected(Timestamp now);
+    /// A console's number; none where there are too many. `datagrams`: where it can have them, and under which key.
+    std::optional<std::uint32_t> connected(Timestamp now, std::optional<LinkDatagrams> datagrams = {});
+    /// The text of a datagram that is known to be this console's.
+    void receivedDatagram(std::uint32_t console, Timestamp now, std::span<const std::uint8_t> text);
+    /// What goes to it by datagrams now: the text of each.
+    std::vector<std::string> takeDatagrams(std::uint32_t console);
     void received(std::uint32_t console, Timestamp now, std::span<const std::uint8_t> bytes);
     void disconnected(std::uint32_t console, Timestamp now);
     /// What may go to this console now, appended; about `room` bytes at most.
@@ -62,6 +68,12 @@ public:
     /// What a console asks for, allowed and sound in form; it is answered before the next is taken.
     std::optional<LinkRequest> nextRequest(Timestamp now);
     void answer(const LinkRequest& request, const Result<void>& result, Timestamp now);
+    /// The same of recordings, where consoles may read them: one whose answer can go soon. Bytes that are asked for are
+    /// limited, for all consoles together and where a console's way is slow.
+    std::optional<LinkRecordRequest> nextRecordRequest(Timestamp now);
+    void answer(const LinkRecordRequest& request, const Result<LinkRecordAnswer>& result, Timestamp now);
+    /// From here on consoles may ask for recordings; before they join.
+    void serveRecordings() { recordings_ = true; }
     /// What there is to say about the link itself: a line for the tracker's own log.
     std::optional<std::string> nextNote();
 
@@ -82,6 +94,8 @@ private:
     void take(LinkSession& session, const wire::ToTracker& message, Timestamp now);
     void welcome(LinkSession& session, const wire::Hello& hello, Timestamp now);
     void takeRequest(LinkSession& session, const wire::ToTracker& message, Timestamp now);
+    void takeRecordRequest(LinkSession& session, const wire::ToTracker& message, Timestamp now);
+    bool mayGo(LinkRecordRequest& request, Timestamp now) const;
     void takeControl(LinkSession& session, const wire::ToTracker& message, Timestamp now);
     void queue(LinkSession& session, const wire::ToTracker& message, LinkRequest request, bool needs_control,
                Timestamp now);
@@ -91,6 +105,7 @@ private:
     void drop(LinkSession& session, const std::string& cause, Timestamp now);
     void send(LinkSession& session, SendQueue::Lane lane, SendQueue::Frame frame, Timestamp now);
     void send(LinkSession& session, const wire::ToConsole& message, Timestamp now);
+    void stream(LinkSession& session, SendQueue::Lane lane, const SendQueue::Frame& frame, Timestamp now);
     void sendToAll(const wire::ToConsole& message, Timestamp now);
     void sendSnapshot(LinkSession& session, Timestamp now);
     void write(wire::Snapshot& snapshot) const;
@@ -105,6 +120,10 @@ private:
     MomentEncoder encoder_;
     std::map<std::uint32_t, std::unique_ptr<LinkSession>> sessions_;
     std::deque<Pending> pending_;
+    bool recordings_ = false;
+    std::deque<LinkRecordRequest> record_pending_;
+    double rows_budget_ = 0.0;  ///< bytes that may be read now
+    Timestamp rows_budget_filled_{};
     std::deque<std::string> notes_;
     std::uint32_t next_console_ = 1;
     std::uint64_t health_sent_ = 0, log_sent_ = 0;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "core/link/datagram_way.hpp"
 #include "core/link/framing.hpp"
 #include "core/link/link_limits.hpp"
+#include "core/link/link_values.hpp"
 #include "core/link/send_queue.hpp"
 
+#include <optional>
 #include <string>
 
 namespace echotrail {
@@ -19,9 +22,11 @@ struct LinkSession {
     bool needs_snapshot = false;  ///< something it cannot do without was thrown away
     bool closing = false;         ///< what waits is the last it hears
     std::uint32_t refusals = 0;
-    Timestamp connected, last_heard, snapshot_sent{};
+    Timestamp connected, last_heard, snapshot_sent{}, rows_sent{};
     FrameReader reader{link_limits::longest_request};
     SendQueue queue;
+    std::optional<LinkDatagrams> datagram_offer;  ///< none where there are none
+    DatagramWay datagrams;
 
     /// One request more; false where it has had too many lately.
     bool mayAsk(Timestamp now);

@@ -2,6 +2,7 @@
 
 #include "core/base/parameters.hpp"
 #include "core/data/head_settings.hpp"
+#include "core/data/log_rows.hpp"
 #include "core/data/ping.hpp"
 #include "core/data/source.hpp"
 #include "core/data/update.hpp"
@@ -97,6 +98,13 @@ struct LinkMoment {
     std::vector<TrackLook> looks;
 };
 
+/// Where a tracker sends and takes datagrams, and the key under which they are sealed.
+struct LinkDatagrams {
+    std::uint16_t port = 0;
+    std::uint64_t session = 0;
+    std::string key;
+};
+
 // What a console hears, in the order it came.
 
 struct LinkWelcome {
@@ -105,6 +113,7 @@ struct LinkWelcome {
     std::vector<std::string> capabilities;
     std::uint32_t console = 0;  ///< this one's number
     std::uint64_t run = 0;
+    std::optional<LinkDatagrams> datagrams;  ///< none where there are none
 };
 /// All that holds: what was known before is forgotten.
 struct LinkSnapshot {
@@ -132,8 +141,32 @@ struct LinkReply {
     std::string reason;
 };
 
-using LinkEvent = std::variant<LinkWelcome, LinkSnapshot, LinkBeam, LinkRegions, LinkTracks, LinkClouds, LinkHealth,
-                               LinkLog, LinkControl, LinkParameters, LinkReply>;
+/// One recording of the list.
+struct LinkRecordingEntry {
+    std::string name;
+    std::uint64_t bytes = 0;
+    Timestamp changed{};
+    bool written = false;  ///< by the run that answers
+    bool operator==(const LinkRecordingEntry&) const = default;
+};
+/// The newest first.
+struct LinkRecordings {
+    std::uint32_t request = 0;
+    std::vector<LinkRecordingEntry> entries;
+};
+struct LinkRecording {
+    std::uint32_t request = 0;
+    std::string name;
+    LogDescription log;
+};
+struct LinkRows {
+    std::uint32_t request = 0;
+    LogRows rows;
+};
+
+using LinkEvent =
+    std::variant<LinkWelcome, LinkSnapshot, LinkBeam, LinkRegions, LinkTracks, LinkClouds, LinkHealth, LinkLog,
+                 LinkControl, LinkParameters, LinkReply, LinkRecordings, LinkRecording, LinkRows>;
 
 // What a console asks for, once it has been found sound and allowed.
 
@@ -162,6 +195,28 @@ struct LinkRequest {
     std::string name;  ///< of the console
     std::variant<LinkSetParameters, LinkDesignate, LinkClearDesignation, LinkDrop, LinkRestore, LinkAnnotate> content;
 };
+
+/// The capability that a tracker names where consoles may read its recordings.
+inline constexpr const char* link_recordings = "recordings";
+
+// What a console asks for of the recordings aboard; anybody who was let in may.
+
+struct LinkListRecordings {};
+struct LinkDescribeRecording {
+    std::string recording;  ///< a name of the list; empty: the one that is being written
+};
+struct LinkReadRows {
+    std::string recording;
+    LogRowsWanted rows;
+};
+
+struct LinkRecordRequest {
+    std::uint32_t console = 0, request = 0;
+    std::variant<LinkListRecordings, LinkDescribeRecording, LinkReadRows> content;
+};
+
+/// Its answer; whoever answers leaves the requests' numbers to the link.
+using LinkRecordAnswer = std::variant<LinkRecordings, LinkRecording, LinkRows>;
 
 enum class ControlAction { Ask = 1, Give = 2, Keep = 3, Take = 4 };
 

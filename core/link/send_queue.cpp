@@ -12,8 +12,9 @@ constexpr Microseconds before_less{1'000'000}, before_more{5'000'000};
 constexpr Microseconds worthless{2'000'000};  // a picture of then would be shown as of now
 constexpr double burst_s = 0.25;              // of the rate
 
-constexpr std::array<std::size_t, 4> room_of_lane{link_limits::urgent_bytes, link_limits::regions_bytes,
-                                                  link_limits::particles_bytes, link_limits::picture_bytes};
+constexpr std::array<std::size_t, 5> room_of_lane{link_limits::urgent_bytes, link_limits::regions_bytes,
+                                                  link_limits::particles_bytes, link_limits::picture_bytes,
+                                                  link_limits::record_bytes};
 
 }  // namespace
 
@@ -23,14 +24,14 @@ void SendQueue::setRate(double bytes_per_second, Timestamp now) {
     refilled_ = now;
 }
 
-bool SendQueue::allowed(Lane lane) const {
+bool SendQueue::allows(Lane lane) const {
     if (lane == Lane::Particles) return level_ < NoParticles;
     return lane != Lane::Regions || level_ < NoRegions;  // a beam without its levels still says where the vehicle is
 }
 
 bool SendQueue::add(Lane lane, Frame frame, Timestamp now) {
     judge(now);
-    if (!allowed(lane)) {
+    if (!allows(lane)) {
         ++counts_.left_out;
         return true;
     }
@@ -85,11 +86,11 @@ void SendQueue::refill(Timestamp now) {
     refilled_ = now;
 }
 
-/// How long the oldest frame waits.
+/// How long the oldest frame waits that should not.
 Microseconds SendQueue::delay(Timestamp now) const {
     Microseconds longest{0};
     for (const LaneQueue& lane : lanes_)
-        if (!lane.frames.empty())
+        if (!lane.frames.empty() && &lane != &lanes_.back())
             longest = std::max(longest, std::chrono::duration_cast<Microseconds>(now - lane.frames.front().since));
     return longest;
 }
@@ -106,9 +107,18 @@ void SendQueue::judge(Timestamp now) {
     }
     for (const Lane lane : {Lane::Regions, Lane::Particles, Lane::Picture}) {
         LaneQueue& queue = laneOf(lane);
-        if (!allowed(lane)) dropAll(queue);
+        if (!allows(lane)) dropAll(queue);
         while (!queue.frames.empty() && now - queue.frames.front().since > worthless) dropOldest(queue);
     }
+}
+
+void SendQueue::tellLoss(double share, Timestamp now) {
+    constexpr double much = 0.1;  // radios lose some in the best of times
+    if (share <= much) return;
+    last_delay_ = now;
+    if (now - level_changed_ <= before_less || level_ == NoPicture) return;
+    level_ = static_cast<Level>(level_ + 1);
+    level_changed_ = now;
 }
 
 void SendQueue::dropOldest(LaneQueue& lane) {
@@ -123,7 +133,8 @@ void SendQueue::dropAll(LaneQueue& lane) {
 }
 
 void SendQueue::clear() {
-    for (LaneQueue& lane : lanes_) dropAll(lane);
+    for (LaneQueue& lane : lanes_)
+        if (&lane != &lanes_.back()) dropAll(lane);
 }
 
 std::size_t SendQueue::waitingBytes() const {

@@ -16,7 +16,7 @@ namespace echotrail {
 /// Order: times never go back.
 class SendQueue {
 public:
-    enum class Lane { Urgent, Regions, Particles, Picture };
+    enum class Lane { Urgent, Regions, Particles, Picture, Record };
     /// How much is left out, each with all before it.
     enum Level { Everything, HalfDetail, QuarterDetail, NoParticles, NoRegions, NoPicture };
     using Frame = std::shared_ptr<const std::string>;  ///< shared by the queues of all consoles
@@ -35,13 +35,19 @@ public:
     void take(std::string& out, std::size_t room, Timestamp now);
     /// Adapts the level; what has waited too long to be worth sending is dropped. Called by add() and take().
     void judge(Timestamp now);
-    /// Nothing that waits is of use any more; a frame that was begun is finished.
+    /// Nothing that waits is of use any more but rows; a frame that was begun is finished.
     void clear();
+
+    /// So much of what went another way was lost: a reason to send less, too.
+    void tellLoss(double share, Timestamp now);
+    /// Whether the level lets this lane through.
+    bool allows(Lane lane) const;
 
     Level level() const { return level_; }
     double rate() const { return rate_; }  ///< bytes per second; 0: no limit
     bool empty() const { return waitingBytes() == 0; }
     std::size_t waitingBytes() const;
+    std::size_t waitingIn(Lane lane) const { return lanes_[static_cast<std::size_t>(lane)].bytes; }
     /// Nothing could be sent for so long although something waited.
     Microseconds stuckFor(Timestamp now) const;
     const Counts& counts() const { return counts_; }
@@ -55,13 +61,12 @@ private:
         std::deque<Waiting> frames;
         std::size_t bytes = 0;
     };
-    static constexpr std::size_t lane_count = 4;
+    static constexpr std::size_t lane_count = 5;
 
     LaneQueue& laneOf(Lane lane) { return lanes_[static_cast<std::size_t>(lane)]; }
     void dropOldest(LaneQueue& lane);
     void dropAll(LaneQueue& lane);
     Microseconds delay(Timestamp now) const;
-    bool allowed(Lane lane) const;
     void refill(Timestamp now);
 
     std::array<LaneQueue, lane_count> lanes_;

@@ -54,6 +54,15 @@ std::optional<LinkTracks> read(const wire::Tracks& in);
 void write(int track, const ParticleCloud& cloud, std::size_t most, wire::Particles::Cloud& out);
 std::optional<LinkClouds> read(const wire::Particles& in);
 
+void write(const LinkRecordings& recordings, wire::Recordings& out);
+std::optional<LinkRecordings> read(const wire::Recordings& in);
+void write(const LinkRecording& recording, wire::Recording& out);
+std::optional<LinkRecording> read(const wire::Recording& in);
+void write(const LinkRows& rows, wire::Rows& out);
+std::optional<LinkRows> read(const wire::Rows& in);
+void write(const LinkReadRows& wanted, wire::ReadRows& out);
+std::optional<LinkReadRows> read(const wire::ReadRows& in);
+
 void write(const LinkHealth& health, wire::Health& out);
 std::optional<LinkHealth> read(const wire::Health& in);
 

@@ -2,6 +2,7 @@
 
 #include "core/base/time.hpp"
 #include "core/data/event.hpp"
+#include "core/data/log_rows.hpp"
 
 #include <cstdint>
 #include <map>
@@ -15,18 +16,9 @@
 /// monotonic_us, chunk, chunks, crc, payload): an event of more than `chunk_bytes` lies in several rows. Table
 /// `results` (row, kind, utc_us, crc, payload): what the tracker found, JSON. The crc is the CRC-32 of IEEE 802.3 over
 /// the row's other numbers as little-endian 64-bit integers, or its key, and its payload. No row is as long as a page,
-/// so that each lies whole in one and can be found without trusting anything around it (log_recovery.hpp).
+/// so that each lies whole in one and can be found without trusting anything around it (log_recovery.hpp). A copy that
+/// is not whole yet has a third table (log_copy.hpp).
 namespace echotrail {
-
-/// What a log says about its run.
-struct LogHeader {
-    std::string program_version;
-    std::string head;           ///< what the head said of itself, or where it was looked for
-    std::string configuration;  ///< TOML of all parameters at the start
-    std::uint64_t seed = 0;
-    Timestamp started{};
-    bool operator==(const LogHeader&) const = default;
-};
 
 /// The numbers are stored: they never change their meaning.
 enum class UpdateKind : std::uint8_t { Track = 1, Region = 2, Summary = 3 };

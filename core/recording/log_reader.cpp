@@ -1,5 +1,7 @@
 #include "core/recording/log_reader.hpp"
 
+#include "core/recording/log_part.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -8,105 +10,22 @@
 namespace echotrail {
 namespace {
 
+using log_part::askInteger;
+using log_part::hasWal;
+using log_part::headerOf;
+using log_part::openToRead;
+using log_part::sessionValue;
+
 constexpr std::string_view event_rows =
     "SELECT number, kind, utc_us, monotonic_us, chunk, chunks, crc, payload FROM events WHERE row > ?1 ORDER BY row";
 constexpr std::string_view result_rows = "SELECT kind, utc_us, crc, payload FROM results WHERE row > ?1 ORDER BY row";
 
 Timestamp timestamp(std::int64_t microseconds) { return Timestamp(Microseconds(microseconds)); }
 
-/// SQLite's name for a file, with the characters escaped that mean something in a URI.
-std::string uriOf(const std::string& path, std::string_view query) {
-    constexpr char digits[] = "0123456789ABCDEF";
-    std::string uri = "file:";
-    for (const char c : std::filesystem::absolute(path).string()) {
-        if (c == '%' || c == '?' || c == '#') {
-            const auto byte = static_cast<unsigned char>(c);
-            uri += {'%', digits[byte >> 4], digits[byte & 15]};
-        } else {
-            uri += c;
-        }
-    }
-    return uri + std::string(query);
-}
-
-/// Whether there is a write-ahead log with more in it than its own header of 32 bytes.
-bool hasWal(const std::string& path) {
-    std::error_code failure;
-    const auto size = std::filesystem::file_size(path + "-wal", failure);
-    return !failure && size > 32;
-}
-
-enum class WalUse {
-    None,     ///< there is none: the file is opened as what cannot change
-    Shared,   ///< with its index in shared memory (-shm), only read; needed where a writer is alive
-    Private,  ///< with an index of our own, and no lock
-};
-
-/// In no use is anything changed or made, in the file or beside it, and a medium that cannot be written will do.
-Result<sqlite::Database> openWith(WalUse use, const std::string& path) {
-    const char* how = use == WalUse::None     ? "?mode=ro&immutable=1"
-                      : use == WalUse::Shared ? "?mode=ro&readonly_shm=1"
-                                              : "?mode=ro&vfs=unix-none";
-    auto opened = sqlite::open(uriOf(path, how), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
-    if (!opened) return opened;
-    sqlite3* database = opened->get();
-    sqlite3_db_config(database, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
-    // What a dead process left of an index can make SQLite wait for one that will never come.
-    sqlite3_busy_timeout(database, use == WalUse::Shared ? 200 : 0);
-    if (use == WalUse::Private)
-        if (auto done = sqlite::execute(database, "PRAGMA locking_mode = EXCLUSIVE"); !done) return Error{done.error()};
-    return opened;
-}
-
-Result<sqlite::Database> openPart(const std::string& path) {
-    std::error_code failure;
-    const bool has_wal = hasWal(path);
-    if (has_wal && std::filesystem::exists(path + "-shm", failure)) {
-        auto shared = openWith(WalUse::Shared, path);
-        if (shared && sqlite::execute(shared->get(), "SELECT count(*) FROM sqlite_schema")) return shared;
-        // The index is not that of this write-ahead log, as after a loss of power: whoever wrote is gone.
-    }
-    auto opened = openWith(has_wal ? WalUse::Private : WalUse::None, path);
-    if (!opened) return Error{"cannot open " + path + ": " + opened.error()};
-    return opened;
-}
-
-std::optional<std::int64_t> askInteger(sqlite3* database, std::string_view sql, std::int64_t argument = 0) {
-    auto statement = sqlite::Statement::prepare(database, sql);
-    if (!statement) return std::nullopt;
-    if (sql.find("?1") != std::string_view::npos) statement->bind(1, argument);
-    const auto row = statement->step();
-    if (!row || !*row) return std::nullopt;
-    return statement->integer(0);
-}
-
-/// A value of the session, from all its rows.
-std::string sessionValue(sqlite3* database, std::string_view key) {
-    auto rows = sqlite::Statement::prepare(database, "SELECT crc, value FROM session WHERE key = ?1 ORDER BY row");
-    if (!rows) return {};
-    rows->bind(1, key);
-    std::string value;
-    for (auto row = rows->step(); row && *row; row = rows->step()) {
-        if (rows->integer(0) != std::int64_t{log_format::sessionCrc(key, rows->blob(1))}) return {};
-        value += rows->text(1);
-    }
-    return value;
-}
-
 std::int64_t number(const std::string& text) {
     std::int64_t value = 0;
     std::from_chars(text.data(), text.data() + text.size(), value);
     return value;
-}
-
-LogHeader headerOf(sqlite3* database) {
-    LogHeader header;
-    header.program_version = sessionValue(database, "program_version");
-    header.head = sessionValue(database, "head");
-    header.configuration = sessionValue(database, "configuration");
-    header.seed = static_cast<std::uint64_t>(std::strtoull(sessionValue(database, "seed").c_str(), nullptr, 10));
-    header.started = timestamp(number(sessionValue(database, "started_us")));
-    return header;
 }
 
 }  // namespace
@@ -128,7 +47,7 @@ Result<std::unique_ptr<LogReader>> LogReader::open(const std::string& path) {
 }
 
 Result<void> LogReader::openParts(const std::string& path) {
-    auto opened = openPart(path);
+    auto opened = openToRead(path);
     if (!opened) return Error{opened.error()};
     const auto version = askInteger(opened->get(), "PRAGMA user_version");
     if (version && *version > log_format::version)
@@ -140,7 +59,7 @@ Result<void> LogReader::openParts(const std::string& path) {
     const std::string first = log_format::firstPartPath(path, static_cast<int>(number(own_part)));
     int expected = 0;
     for (const auto& [part, part_path] : log_format::partsBeside(first)) {
-        auto one = openPart(part_path);
+        auto one = openToRead(part_path);
         if (!one) return Error{one.error()};
         // A part that cannot say whose it is counts as one of ours: its rows have their own check sums.
         const LogHeader theirs = headerOf(one->get());
@@ -295,8 +214,7 @@ Result<std::set<std::uint64_t>> LogReader::skips() {
         auto rows = sqlite::Statement::prepare(part.database.get(), "SELECT payload FROM events WHERE kind = 8");
         if (!rows) return Error{rows.error()};
         auto row = rows->step();
-        for (; row && *row; row = rows->step())
-            sequences.insert(static_cast<std::uint64_t>(number(rows->text(0))));
+        for (; row && *row; row = rows->step()) sequences.insert(static_cast<std::uint64_t>(number(rows->text(0))));
         if (!row) return Error{row.error()};
     }
     return sequences;

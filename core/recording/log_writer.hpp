@@ -44,11 +44,9 @@ private:
     LogWriter(std::string first_path, LogHeader header, LogOptions options)
         : first_path_(std::move(first_path)), header_(std::move(header)), options_(options) {}
     Result<void> beginPart(int part);
-    Result<void> makePart(const std::string& path) const;
     Result<void> openPart();
     Result<void> closePart();
     Result<void> begin();
-    Result<void> writeHeader(sqlite3* database) const;
 
     std::string first_path_, path_;
     LogHeader header_;

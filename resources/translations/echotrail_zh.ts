@@ -99,6 +99,10 @@
         <source>a confirmed track has come in</source>
         <translation>已确认的航迹进入</translation>
     </message>
+    <message>
+        <source>The run is not copied here</source>
+        <translation>本次运行未复制到本机</translation>
+    </message>
 </context>
 <context>
     <name>EchoMap</name>
@@ -1465,6 +1469,10 @@
         <source>Click the corners on the fan; Enter closes the area, Esc gives it up.</source>
         <translation>在扇面上点击角点；Enter 闭合区域，Esc 放弃。</translation>
     </message>
+    <message>
+        <source>&amp;Recordings aboard…</source>
+        <translation>船载记录(&amp;R)…</translation>
+    </message>
 </context>
 <context>
     <name>echotrail::ManualView</name>
@@ -1941,6 +1949,73 @@
 is taken to lie still, bow north</source>
         <translation>无导航：视航行器
 静止、船首朝北</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::RecordingsWindow</name>
+    <message>
+        <source>Recordings aboard</source>
+        <translation>船载记录</translation>
+    </message>
+    <message>
+        <source>What is fetched comes after tracks, picture and health, and is gone on with after a break. A recording that is being written is fetched as far as it is now.</source>
+        <translation>取回数据排在航迹、图像和状态之后；中断后自动续传。正在写入的记录只取到当前为止。</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Last written (UTC)</source>
+        <translation>最后写入（UTC）</translation>
+    </message>
+    <message>
+        <source>Fetch</source>
+        <translation>取回</translation>
+    </message>
+    <message>
+        <source>The selected recording, whole, into this computer&apos;s folder of recordings</source>
+        <translation>将所选记录完整取回到本机的记录文件夹</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>What has come stays; Fetch goes on with it</source>
+        <translation>已取回的部分保留；再按“取回”即可续传</translation>
+    </message>
+    <message>
+        <source>No tracker is followed; Sonar → Connect to tracker…</source>
+        <translation>未连接跟踪器；声纳 → 连接跟踪器…</translation>
+    </message>
+    <message>
+        <source>No link to the tracker; it goes on by itself when the link is back.</source>
+        <translation>与跟踪器的链路中断；链路恢复后自动继续。</translation>
+    </message>
+    <message>
+        <source>The list did not come: %1</source>
+        <translation>未能取得列表：%1</translation>
+    </message>
+    <message>
+        <source>being written</source>
+        <translation>正在写入</translation>
+    </message>
+    <message>
+        <source>Not fetched: %1</source>
+        <translation>未取回：%1</translation>
+    </message>
+    <message>
+        <source>Whole: %1</source>
+        <translation>已完整：%1</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 rows, %4 came</source>
+        <translation>%1：%2 / %3 行，已收 %4</translation>
     </message>
 </context>
 <context>
@@ -2434,6 +2509,26 @@ is taken to lie still, bow north</source>
     <message>
         <source>disk nearly full: %1</source>
         <translation>磁盘将满：%1</translation>
+    </message>
+    <message>
+        <source>no copy here</source>
+        <translation>本机无副本</translation>
+    </message>
+    <message>
+        <source>copy waits</source>
+        <translation>副本等待中</translation>
+    </message>
+    <message>
+        <source>copy: %1 rows missed</source>
+        <translation>副本缺 %1 行</translation>
+    </message>
+    <message>
+        <source>copy here: %1</source>
+        <translation>本机副本：%1</translation>
+    </message>
+    <message>
+        <source>no copy here: %1</source>
+        <translation>本机无副本：%1</translation>
     </message>
 </context>
 <context>

@@ -25,21 +25,43 @@ using Bytes = std::span<const std::uint8_t>;
 
 Bytes bytesOf(const std::string& text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
 
-LinkClient makeClient() { return LinkClient(LinkClient::Options{.identity = {"shore", "fuzz"}}); }
+LinkClient makeClient() { return LinkClient(LinkClient::Options{.identity = {"shore", "fuzz"}, .datagrams = true}); }
+
+void answerRecordRequests(LinkServer& server) {
+    for (std::size_t asked = 0; const auto request = server.nextRecordRequest(start); ++asked) {
+        require(asked < link_limits::most_record_requests, "few requests for recordings wait");
+        Result<LinkRecordAnswer> answer = LinkRecordAnswer(LinkRecordings{});
+        if (const auto* described = std::get_if<LinkDescribeRecording>(&request->content)) {
+            require(described->recording.size() <= link_limits::longest_word, "names are short");
+            answer = LinkRecordAnswer(LinkRecording{0, "a", {{}, {{1, 1}}}});
+        }
+        if (const auto* wanted = std::get_if<LinkReadRows>(&request->content)) {
+            require(wanted->rows.most_bytes <= link_limits::longest_rows, "an answer is no longer than allowed");
+            require(wanted->rows.first >= 0 && wanted->rows.last >= 0 && wanted->rows.part >= 0, "rows are numbers");
+            answer = Error{"no such recording"};
+        }
+        server.answer(*request, answer, start);
+    }
+}
 
 /// What a console says, to a tracker that answers all it is asked.
 void toTracker(Bytes bytes, bool greeted) {
     LinkServer server({"vehicle", "fuzz"}, 1, {{"range_m", 50.0}, {"particles", 2000}});
-    const std::uint32_t console = server.connected(start).value();
+    server.serveRecordings();
+    const LinkDatagrams datagrams{1, 2, std::string(link_limits::datagram_key_bytes, 'k')};
+    const std::uint32_t console = server.connected(start, datagrams).value();
     LinkClient client = makeClient();
     client.linkUp(Microseconds{0});
     if (greeted) server.received(console, start, bytesOf(client.takeOutput()));
     server.received(console, start, bytes);
+    server.receivedDatagram(console, start, bytes);
+    require(server.takeDatagrams(console).size() <= 1, "a datagram is answered by one at most");
     for (int asked = 0; const auto request = server.nextRequest(start); ++asked) {
         require(asked < static_cast<int>(link_limits::most_waiting_requests), "few requests wait");
         require(request->name.size() <= link_limits::longest_name, "names are short");
         server.answer(*request, {}, start);
     }
+    answerRecordRequests(server);
     require(server.waitingBytes(console) <= link_limits::urgent_bytes, "what waits is bounded");
     std::string out;
     server.takeOutput(console, start, out, 1 << 20);
@@ -54,10 +76,11 @@ void toConsole(Bytes bytes) {
     LinkClient client = makeClient();
     client.linkUp(Microseconds{0});
     client.received(Microseconds{1}, bytes);
+    client.receivedDatagram(Microseconds{2}, 1, bytes);
     std::size_t events = 0;
     while (client.next()) ++events;
     require(events <= link_limits::most_events, "events are bounded");
-    require(client.status().malformed <= 1 + bytes.size() / link_frame_head, "what cannot be is counted once");
+    require(client.status().malformed <= 2 + bytes.size() / link_frame_head, "what cannot be is counted once");
 }
 
 void pairing(std::string_view message) {

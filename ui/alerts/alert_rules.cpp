@@ -38,6 +38,9 @@ std::vector<Situation> AlertRules::ofLive(const LiveState& state, double longest
     if (!reached) return situations;  // what a far tracker said last says nothing about now
     addHeading(state, longest_heading_gap_s, situations);
     addRecording(state.run, situations);
+    if (state.tracker && state.tracker->record && !state.tracker->record->error.isEmpty())
+        situations.push_back(
+            {"copy", AlertPriority::Caution, tr("The run is not copied here"), state.tracker->record->error});
     return situations;
 }
 

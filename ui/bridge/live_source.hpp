@@ -30,16 +30,42 @@ struct LiveLink {
     std::optional<double> age_s;  ///< since the last bytes; none before the first
 };
 
+/// A copy of a recording aboard that is made here, as far as it has come.
+struct RecordingCopy {
+    QString name;   ///< aboard; empty before the tracker has said it
+    QString path;   ///< here; empty: none yet
+    QString error;  ///< why it has ended, one line
+    qint64 rows = 0, there = 0;
+    qint64 missed = 0;       ///< rows of while the link was down that are not here yet
+    quint64 bytes = 0;       ///< that came
+    quint64 free_bytes = 0;  ///< on the disk; 0: not known yet
+    bool asking = false;     ///< else the link is down, or it has ended
+    bool whole = false;
+};
+
+/// A recording that lies aboard.
+struct RecordingAboard {
+    QString name;
+    quint64 bytes = 0;
+    Timestamp changed{};
+    bool written = false;  ///< by the tracker, now
+    bool operator==(const RecordingAboard&) const = default;
+};
+
 /// A tracker far away, where the live source is one.
 struct TrackerState {
     LiveLink link;
-    QString name;                        ///< of the vehicle; empty before it has said so
-    std::optional<double> latency_s;     ///< of the last echo line, from its transmission to this console
-    std::optional<double> round_trip_s;  ///< of the link
-    quint64 gaps = 0;                    ///< messages that did not come
-    bool holds_control = false;          ///< this console does
-    bool asks_control = false;           ///< this console does
-    QString holder, asking;              ///< names of consoles; empty: nobody
+    QString name;                          ///< of the vehicle; empty before it has said so
+    std::optional<double> latency_s;       ///< of the last echo line, from its transmission to this console
+    std::optional<double> round_trip_s;    ///< of the link
+    quint64 gaps = 0;                      ///< messages that did not come
+    bool holds_control = false;            ///< this console does
+    bool asks_control = false;             ///< this console does
+    QString holder, asking;                ///< names of consoles; empty: nobody
+    std::optional<RecordingCopy> record;   ///< of the run, kept here; none where it is not
+    std::optional<RecordingCopy> fetched;  ///< the recording that is fetched, or was the last
+    QList<RecordingAboard> recordings;     ///< as last listed, the newest first
+    QString recordings_error;              ///< why they could not be listed
 };
 
 /// What one can do about control of a far tracker.
@@ -83,6 +109,10 @@ public:
     virtual std::optional<LiveRunner::Params> takeParams() { return std::nullopt; }
     virtual std::optional<LiveNotice> takeNotice() { return std::nullopt; }
     virtual void control(TrackerControl) {}
+    /// Of the recordings that lie aboard; the state tells what has come.
+    virtual void listRecordings() {}
+    virtual void fetchRecording(const QString& /*name*/) {}
+    virtual void cancelFetch() {}
     /// Scenes carry the locally enhanced picture too.
     virtual void setEnhanced(bool on) = 0;
 };
@@ -96,8 +126,8 @@ struct SimulatedHeadChoice {
     QString title, address, description;
 };
 
-/// The same of a tracker far away; `address` is tcp://HOST:PORT.
-using TrackerOpener = std::function<Result<std::unique_ptr<LiveSource>>(const QString& address)>;
+/// The same of a tracker far away; with `record` a copy of its run is kept here.
+using TrackerOpener = std::function<Result<std::unique_ptr<LiveSource>>(const QString& address, bool record)>;
 
 /// How a window reaches live sources; a program without links leaves it empty.
 struct LiveAccess {

@@ -59,10 +59,10 @@ void PipelineBridge::openLive(const QString& sonar, const QString& navigation, b
     startLive(std::move(*made), sonar);
 }
 
-void PipelineBridge::openTracker(const QString& address) {
+void PipelineBridge::openTracker(const QString& address, bool record) {
     cancelOpening();
     if (!canFollow()) return Q_EMIT connectFailed(tr("this program has no live links"));
-    auto made = live_access_.open_tracker(address);
+    auto made = live_access_.open_tracker(address, record);
     if (!made) return Q_EMIT connectFailed(QString::fromStdString(made.error()));
     clear();
     own_params_ = params_;
@@ -82,6 +82,18 @@ void PipelineBridge::startLive(std::unique_ptr<LiveSource> source, const QString
 
 void PipelineBridge::control(TrackerControl action) {
     if (live_) live_->control(action);
+}
+
+void PipelineBridge::listRecordings() {
+    if (live_) live_->listRecordings();
+}
+
+void PipelineBridge::fetchRecording(const QString& name) {
+    if (live_ && !name.isEmpty()) live_->fetchRecording(name);
+}
+
+void PipelineBridge::cancelFetch() {
+    if (live_) live_->cancelFetch();
 }
 
 /// Not told to the live source, which said them. An echo of what was commanded here changes nothing.

@@ -37,15 +37,19 @@ public:
     void openLive(const QString& sonar, const QString& navigation, bool record);
     /// Follows a tracker far away instead of what is open; as openLive(). While it is followed the parameters are the
     /// tracker's; afterwards those of before.
-    void openTracker(const QString& address);
+    void openTracker(const QString& address, bool record);
     bool canFollow() const { return live_access_.open_tracker != nullptr; }
     bool isTracker() const { return live_ && own_params_; }
-    /// Parameters and seed are those of the run that was recorded, as they were at each ping: until someone sets others.
-    /// When the recording is closed those of before are back.
+    /// Parameters and seed are those of the run that was recorded, as they were at each ping: until someone sets
+    /// others. When the recording is closed those of before are back.
     bool isAsRecorded() const { return runner_ && own_params_; }
     /// What is set counts for recordings too, whatever was in force when they were made.
     void setOverridesRecorded(bool on) { overrides_recorded_ = on; }
     void control(TrackerControl action);
+    // Of recordings aboard a tracker; what has come is in the live state.
+    void listRecordings();
+    void fetchRecording(const QString& name);
+    void cancelFetch();
     void close();
 
     bool isOpen() const { return runner_ || live_; }

@@ -35,6 +35,7 @@ class MessageStrip;
 class ParameterPanel;
 class PlanView;
 class ShortcutsOverlay;
+class RecordingsWindow;
 class StaleBanner;
 class StartPage;
 class StatusBar;
@@ -80,7 +81,7 @@ public:
     void openRecording(const QString& path);
     void openDemonstration();
     /// Follows a tracker at tcp://HOST:PORT.
-    void openTracker(const QString& address);
+    void openTracker(const QString& address, bool record = true);
     void setTheme(Theme theme);
     /// Of everything that is on the screen or comes to it.
     void setLanguage(Language language);
@@ -138,6 +139,7 @@ private:
     void makeTrackerMenu(QMenu& menu);
     void askForTracker();
     void showTracker(const LiveState& state);
+    void showRecordings();
     void makeAlerts();
     void makeAlertsMenu();
     void showAlerts();
@@ -191,6 +193,8 @@ private:
     QAction* disconnect_ = nullptr;
     std::vector<std::pair<QAction*, TrackerControl>> control_actions_;
     StaleBanner* stale_ = nullptr;
+    QAction* recordings_aboard_ = nullptr;
+    RecordingsWindow* recordings_ = nullptr;  ///< once it has been asked for
     AlertCentre* alerts_ = nullptr;
     AlertsPanel* alerts_panel_ = nullptr;
     QDockWidget* alerts_dock_ = nullptr;

@@ -2,6 +2,7 @@
 #include "ui/main_window/main_window.hpp"
 #include "ui/main_window/stale_banner.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
+#include "ui/panels/recordings/recordings_window.hpp"
 #include "ui/style/formatter.hpp"
 #include "ui/views/fan_view.hpp"
 
@@ -32,6 +33,16 @@ void MainWindow::makeTrackerMenu(QMenu& menu) {
     add(tr("&Give control"), TrackerControl::Give);
     add(tr("&Keep control"), TrackerControl::Keep);
     add(tr("Ta&ke control"), TrackerControl::Take);
+    recordings_aboard_ = addAction(menu, tr("&Recordings aboard…"), {}, [this] { showRecordings(); });
+    recordings_aboard_->setObjectName("recordings_aboard");
+    recordings_aboard_->setEnabled(false);
+}
+
+/// A window of its own, which never stands in the way: the picture goes on beside it.
+void MainWindow::showRecordings() {
+    if (!recordings_) recordings_ = new RecordingsWindow(bridge_, this);
+    recordings_->show();
+    recordings_->raise();
 }
 
 void MainWindow::connectTracker() {
@@ -53,8 +64,8 @@ void MainWindow::askForTracker() {
     if (chosen) openTracker(address);
 }
 
-void MainWindow::openTracker(const QString& address) {
-    bridge_.openTracker(address);
+void MainWindow::openTracker(const QString& address, bool record) {
+    bridge_.openTracker(address, record);
     if (bridge_.isTracker() && options_.remember) QSettings().setValue(last_tracker, address);
 }
 
@@ -79,6 +90,7 @@ void MainWindow::showTracker(const LiveState& state) {
                 break;
         }
     }
+    recordings_aboard_->setEnabled(tracker.has_value());
     const bool stale = tracker && (!tracker->link.up || tracker->link.age_s.value_or(0.0) > stale_s);
     if (!stale) return stale_->tell({});
     if (!tracker->link.age_s) return stale_->tell(tr("NO LINK TO THE TRACKER"));

@@ -57,7 +57,7 @@ private:
     void showTracker(const std::optional<TrackerState>& tracker);
     void showSonar(const LiveState& state);
     void showHeading(const LiveState& state, double longest_gap_s);
-    void showRecording(const RecorderStatus& recorder);
+    void showRecording(const RecorderStatus& recorder, const std::optional<RecordingCopy>& copy);
     double pingRate(std::uint64_t pings);
 
     Mode mode_ = Mode::Nothing;

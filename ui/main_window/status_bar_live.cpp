@@ -11,6 +11,15 @@ using Health = StatusChip::Health;
 constexpr double old_bytes_s = 2.0;  ///< a head that scans or waits says something every second
 constexpr qint64 rate_interval_ms = 2000;
 
+/// What is wrong with the copy of the run aboard; nothing where it is as it should be.
+QString copyText(const RecordingCopy& copy) {
+    constexpr qint64 on_their_way = 300;  // rows of about a second
+    if (!copy.error.isEmpty()) return StatusBar::tr("no copy here");
+    if (!copy.asking) return StatusBar::tr("copy waits");
+    if (copy.missed <= on_their_way) return {};
+    return StatusBar::tr("copy: %1 rows missed").arg(Formatter::count(static_cast<std::uint64_t>(copy.missed)));
+}
+
 QString ageText(const std::optional<double>& age_s) { return age_s ? Formatter::age(*age_s) : QString(); }
 
 QString megabytes(std::uint64_t bytes) { return Formatter::withUnit(static_cast<double>(bytes) / 1e6, 1, "MB"); }
@@ -24,7 +33,7 @@ void StatusBar::showLive(const LiveState& state, double longest_heading_gap_s) {
     showLink(state);
     showSonar(state);
     showHeading(state, longest_heading_gap_s);
-    showRecording(state.run.recorder);
+    showRecording(state.run.recorder, state.tracker ? state.tracker->record : std::nullopt);
     showCounts(state.run.counts);
 }
 
@@ -107,14 +116,22 @@ void StatusBar::showHeading(const LiveState& state, double longest_gap_s) {
     heading_->setToolTip(QString::fromStdString(state.run.navigation.heading_kind));
 }
 
-void StatusBar::showRecording(const RecorderStatus& recorder) {
-    recording_->setToolTip(QString::fromStdString(recorder.error.empty() ? recorder.path : recorder.error));
+/// With a tracker: its log, and what of it is here.
+void StatusBar::showRecording(const RecorderStatus& recorder, const std::optional<RecordingCopy>& copy) {
+    QStringList about{QString::fromStdString(recorder.error.empty() ? recorder.path : recorder.error)};
+    if (copy && !copy->path.isEmpty()) about << tr("copy here: %1").arg(copy->path);
+    if (copy && !copy->error.isEmpty()) about << tr("no copy here: %1").arg(copy->error);
+    recording_->setToolTip(about.join('\n'));
     if (!recorder.error.empty()) return recording_->show(Health::Degraded, tr("ended"), tr("not recording"));
     if (!recorder.recording) return recording_->show(Health::Absent, tr("off"));
     const bool room = recorder.disk == DiskState::Good;
+    const bool copied = !copy || copy->error.isEmpty();
     const QString free = tr("%1 free").arg(gigabytes(recorder.free_bytes));
-    recording_->show(room ? Health::Good : Health::Degraded, megabytes(recorder.bytes),
-                     room ? free : tr("disk nearly full: %1").arg(free));
+    const QString of_copy = copy ? copyText(*copy) : QString();  // in place of what is good: there is little room
+    recording_->show(room && copied ? Health::Good : Health::Degraded, megabytes(recorder.bytes),
+                     !room               ? tr("disk nearly full: %1").arg(free)
+                     : of_copy.isEmpty() ? free
+                                         : of_copy);
 }
 
 }  // namespace echotrail

@@ -1,5 +1,7 @@
 #include "app/io/console_server.hpp"
+#include "app/io/recording_shelf.hpp"
 #include "app/io/tracker_link.hpp"
+#include "core/recording/log_writer.hpp"
 #include "core/runtime/link_moment.hpp"
 #include "tests/app/io/event_loop.hpp"
 #include "tests/app/io/slow_way.hpp"
@@ -7,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QTemporaryDir>
 #include <chrono>
 #include <memory>
 #include <set>
@@ -25,11 +28,12 @@ LinkAddress at(std::uint16_t port) {
 
 /// A tracker that pings twenty times a second, and knows what each console is spared.
 struct Tracker {
-    explicit Tracker(std::uint16_t port = 0)
+    explicit Tracker(std::uint16_t port = 0, RecordingShelf* shelf = nullptr)
         : server({"vehicle", "test"}, namedValues({}), clockNow, [this](const LinkRequest& request) {
               requests.push_back(request);
               return std::optional<std::vector<NamedValue>>();
           }) {
+        if (shelf) server.serveRecordings([shelf](const LinkRecordRequest& request) { return shelf->answer(request); });
         address = server.listen(at(port)).value();
         QObject::connect(&pings, &QTimer::timeout, &pings, [this] { ping(); });
     }
@@ -120,6 +124,34 @@ TEST(SlowLink, TracksComeInOrderOfTimeAndThePictureIsSparedInTheDeclaredOrder) {
     EXPECT_EQ(console.replies[0].request, asked);
     EXPECT_TRUE(console.replies[0].done) << console.replies[0].reason;
     EXPECT_EQ(tracker.requests.size(), 1U);
+}
+
+TEST(SlowLink, ACopyOfTheRunIsNotInTheWayOfTracks) {
+    const QTemporaryDir folder;
+    const std::string path = folder.path().toStdString() + "/run.echotrail";
+    auto log = LogWriter::create(path, {.program_version = "test", .started = clockNow()}).value();
+    for (std::uint64_t number = 0; number < 3'000; ++number)
+        ASSERT_TRUE(log->add({number, EventKind::SonarBytes, clockNow(), Microseconds(number),
+                              std::vector<std::uint8_t>(400, static_cast<std::uint8_t>(number))}));
+    ASSERT_TRUE(log->commit());
+    RecordingShelf shelf(folder.path().toStdString(), path);
+    Tracker tracker(0, &shelf);
+    SlowWay radio(tracker.address.port,
+                  {.delay_ms = 300, .stall_every_ms = 2'000, .stall_ms = 1'000, .bytes_per_second = 8'000});
+    TrackerLink console(at(radio.port()), {"shore", "test"}, folder.path().toStdString() + "/ashore");
+    console.open();
+    ASSERT_TRUE(becomes([&] { return console.state().client.snapshots > 0; }));
+    tracker.pings.start(50);
+    Microseconds latest{0};
+    ASSERT_TRUE(becomes([&] {
+        const TrackerLinkState state = console.state();
+        latest = std::max(latest, state.client.latency.value_or(Microseconds{0}));
+        return state.record && state.record->rows.rows > 10 && tracker.number > 400;
+    })) << console.state().record->rows.rows;
+    // A beam, which goes after tracks, is some seven seconds old at most, as it is without a copy.
+    EXPECT_LT(latest, Microseconds{10'000'000});
+    EXPECT_EQ(console.state().client.joins, 1U);
+    EXPECT_LT(console.state().record->rows.rows, console.state().record->rows.there) << "it waits its turn";
 }
 
 TEST(SlowLink, ATrackerThatIsKilledAndStartedTwentyTimesIsFoundAgain) {

@@ -14,10 +14,20 @@ constexpr double burst_s = 0.1;
 SlowWay::SlowWay(std::uint16_t to_port, const Params& params) : to_port_(to_port), params_(params) {
     QObject::connect(&listener_, &QTcpServer::newConnection, &listener_, [this] { take(); });
     QObject::connect(&tick_, &QTimer::timeout, &tick_, [this] { tick(); });
-    listener_.listen(QHostAddress::LocalHost);
+    plug();
     clock_.start();
     next_stall_ms_ = params_.stall_every_ms;
     tick_.start(tick_ms);
+}
+
+void SlowWay::plug() {
+    listener_.listen(QHostAddress::LocalHost, own_port_);
+    own_port_ = listener_.serverPort();
+}
+
+void SlowWay::unplug() {
+    listener_.close();
+    cut();
 }
 
 void SlowWay::take() {

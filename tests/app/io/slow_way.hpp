@@ -23,9 +23,12 @@ public:
         double bytes_per_second = 0;  ///< each way; 0: any number
     };
     SlowWay(std::uint16_t to_port, const Params& params);
-    std::uint16_t port() const { return listener_.serverPort(); }
+    std::uint16_t port() const { return own_port_; }
     /// As a pulled cable that is noticed.
     void cut() { pairs_.clear(); }
+    /// The same, and it stays out until it is plugged in again.
+    void unplug();
+    void plug();
     std::uint64_t stalls() const { return stalls_; }
 
 private:
@@ -50,6 +53,7 @@ private:
     std::uint16_t to_port_;
     Params params_;
     QTcpServer listener_;
+    std::uint16_t own_port_ = 0;
     QTimer tick_;
     QElapsedTimer clock_;
     qint64 last_ms_ = 0, stall_until_ms_ = 0, next_stall_ms_ = 0;

@@ -42,6 +42,12 @@ std::string everyRequest() {
     stream += framed(message);
     message.mutable_snapshot();
     stream += framed(message);
+    message.mutable_list_recordings();
+    stream += framed(message);
+    message.mutable_describe_recording()->set_recording("a.echotrail");
+    stream += framed(message);
+    message.mutable_read_rows()->set_last(9);
+    stream += framed(message);
     return stream;
 }
 

@@ -35,12 +35,13 @@ qsizetype openFiles() { return entries("/proc/self/fd"); }
 class LiveMode : public testing::Test {
 protected:
     LiveMode() {
+        before_ = qgetenv("XDG_DATA_HOME");
         qputenv("XDG_DATA_HOME", folder_.path().toUtf8());
         window_.resize(1600, 1000);
         window_.show();
         EXPECT_TRUE(QTest::qWaitForWindowActive(&window_));
     }
-    ~LiveMode() override { qunsetenv("XDG_DATA_HOME"); }
+    ~LiveMode() override { qputenv("XDG_DATA_HOME", before_); }
     void connectTo(const std::string& address, bool record = false) {
         window_.connection().connectTo(QString::fromStdString(address), {}, record);
     }
@@ -55,6 +56,7 @@ protected:
     }
 
     QTemporaryDir folder_;
+    QByteArray before_;  ///< where data went before
     MainWindow window_{{.remember = false, .live = liveAccess()}};
 };
 

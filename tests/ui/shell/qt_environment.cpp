@@ -18,6 +18,7 @@ public:
         qputenv("QT_QPA_PLATFORM", "offscreen");
         QSettings::setDefaultFormat(QSettings::IniFormat);
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
+        qputenv("XDG_DATA_HOME", folder_.path().toUtf8() + "/data");
         application_ = std::make_unique<QApplication>(count_, arguments_);
         QApplication::setOrganizationName("echotrail");
         QApplication::setApplicationName("console-test");

@@ -1,5 +1,8 @@
 #include "app/console/live_connection.hpp"
 #include "app/io/console_server.hpp"
+#include "app/io/recording_shelf.hpp"
+#include "core/recording/log_reader.hpp"
+#include "core/recording/log_writer.hpp"
 #include "core/runtime/link_moment.hpp"
 #include "qt_environment.hpp"
 #include "tests/core/link/sample_values.hpp"
@@ -9,11 +12,15 @@
 #include "ui/main_window/status_chip.hpp"
 #include "ui/panels/connection/connection_panel.hpp"
 #include "ui/panels/connection/head_controls.hpp"
+#include "ui/panels/recordings/recordings_window.hpp"
 
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QTreeWidget>
 
 namespace echotrail {
 namespace {
@@ -24,9 +31,10 @@ Timestamp clockNow() { return std::chrono::time_point_cast<Microseconds>(std::ch
 
 /// A tracker with one track, in this process.
 struct Tracker {
-    explicit Tracker(const std::string& where = "tcp://127.0.0.1:0")
+    explicit Tracker(const std::string& where = "tcp://127.0.0.1:0", RecordingShelf* shelf = nullptr)
         : server({"vehicle", "test"}, namedValues({}), clockNow,
                  [this](const LinkRequest& request) { return answer(request); }) {
+        if (shelf) server.serveRecordings([shelf](const LinkRecordRequest& request) { return shelf->answer(request); });
         address = server.listen(parseLinkAddress(where).value()).value();
         server.publish(test::sampleHealth());
         for (std::uint64_t i = 0; i < 40; ++i) {
@@ -106,6 +114,37 @@ TEST_F(TrackerMode, ALostLinkLooksLostAndHealsByItself) {
     EXPECT_EQ(window_.bridge().scene()->tracks.size(), 1U) << "what was known can still be read";
     tracker = std::make_unique<Tracker>(address.toStdString());
     ASSERT_TRUE(await([&] { return chip("TRACKER").contains("up") && window_.stale().text().isEmpty(); }));
+}
+
+TEST_F(TrackerMode, RecordingsAboardAreListedAndFetchedBesideThePicture) {
+    const QTemporaryDir aboard;
+    const std::string folder = aboard.path().toStdString();
+    {
+        auto log = LogWriter::create(folder + "/dive.echotrail", {.program_version = "test", .started = clockNow()});
+        ASSERT_TRUE(log) << log.error();
+        for (std::uint64_t number = 0; number < 50; ++number)
+            ASSERT_TRUE((*log)->add({number, EventKind::SonarBytes, clockNow(), Microseconds(number), {1, 2, 3}}));
+        ASSERT_TRUE((*log)->close());
+    }
+    RecordingShelf shelf(folder, "");
+    Tracker tracker("tcp://127.0.0.1:0", &shelf);
+    ASSERT_TRUE(follows(tracker.text()));
+    window_.findChild<QAction*>("recordings_aboard")->trigger();
+    auto* recordings = window_.findChild<RecordingsWindow*>();
+    ASSERT_NE(recordings, nullptr);
+    EXPECT_FALSE(recordings->isModal());
+    ASSERT_TRUE(await([&] { return recordings->list().topLevelItemCount() == 1; }));
+    EXPECT_FALSE(recordings->fetchButton().isEnabled()) << "none is selected";
+    recordings->list().setCurrentItem(recordings->list().topLevelItem(0));
+    ASSERT_TRUE(recordings->fetchButton().isEnabled());
+    recordings->fetchButton().click();
+    ASSERT_TRUE(await([&] { return recordings->progress().startsWith("Whole: "); }))
+        << recordings->progress().toStdString();
+    const std::string copy = recordings->progress().mid(7).toStdString();
+    const auto log = LogReader::open(copy);
+    ASSERT_TRUE(log) << log.error();
+    EXPECT_EQ((*log)->events(), 50U);
+    EXPECT_FALSE(recordings->cancelButton().isEnabled());
 }
 
 TEST_F(TrackerMode, WhatIsNoAddressIsRefused) {

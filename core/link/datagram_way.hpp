@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/base/time.hpp"
+#include "core/link/send_queue.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace echotrail {
+
+/// What the tracker knows of the datagrams to one console: whether they arrive, how many are lost, which wait. Where
+/// more wait than may, the newest stay: they are what matters.
+/// Order: times never go back.
+class DatagramWay {
+public:
+    /// The console says what has arrived. Gives the share that was lost since the last time, where enough was sent to
+    /// tell.
+    std::optional<double> report(std::uint64_t newest, std::uint64_t received, Timestamp now);
+    /// Whether what is sent arrives, as far as is known.
+    bool works(Timestamp now) const;
+    /// False: it does not fit a datagram.
+    bool add(const SendQueue::Frame& frame);
+    /// Something short that is to arrive.
+    void addEcho(std::string text) { waiting_.push_back(std::move(text)); }
+    /// What waits, each the text of one datagram.
+    std::vector<std::string> take();
+
+private:
+    std::deque<std::string> waiting_;
+    std::uint64_t newest_ = 0, received_ = 0;
+    std::optional<Timestamp> arrived_;
+};
+
+}  // namespace echotrail
