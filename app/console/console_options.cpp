@@ -48,8 +48,8 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
         "Echotrail operator console: polls a sonar head, or plays recordings, and shows what the tracker finds."};
     app.set_version_flag("--version", ECHOTRAIL_VERSION);
     app.footer(exit_codes);
-    auto* recording = app.add_option("RECORDING,--replay", options.recording,
-                                     "Recording to open: .echotrail, .V4LOG or raw .bin");
+    auto* recording =
+        app.add_option("RECORDING,--replay", options.recording, "Recording to open: .echotrail, .V4LOG or raw .bin");
     auto* demonstration =
         app.add_flag("--demonstration", options.demonstration, "Open the built-in simulated approach");
     demonstration->excludes(recording);
@@ -67,14 +67,16 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
         ->excludes(recording)
         ->excludes(demonstration)
         ->excludes(sonar);
-    app.add_option("--target", options.target,
-                   "RANGE_M,BEARING_DEG of the target, in metres and degrees clockwise from the bow, seen from the head "
-                   "at the first ping (default: none designated)")
+    app.add_option(
+           "--target", options.target,
+           "RANGE_M,BEARING_DEG of the target, in metres and degrees clockwise from the bow, seen from the head "
+           "at the first ping (default: none designated)")
         ->delimiter(',');
-    app.add_flag("--headless", options.headless,
-                 "Needs no display: nobody sees the window, no settings are read or written. A recording is gone through "
-                 "as fast as the machine can, to --exit-at, the last picture, or its end; a head is polled until then, "
-                 "or Ctrl-C");
+    app.add_flag(
+        "--headless", options.headless,
+        "Needs no display: nobody sees the window, no settings are read or written. A recording is gone through "
+        "as fast as the machine can, to --exit-at, the last picture, or its end; a head is polled until then, "
+        "or Ctrl-C");
     auto* picture = app.add_option("--screenshot-to,--screenshot", pictures,
                                    "Write a PNG of the window at the --at that goes with it, and exit after the last; "
                                    "may be given more than once")

@@ -22,8 +22,8 @@ struct ConsoleOptions {
     bool headless = false;
     Schedule schedule;
     std::optional<std::pair<double, double>> target;  ///< range in metres and bearing from the bow in degrees
-    std::string palette;   ///< empty: as last time
-    std::string language;  ///< the same
+    std::string palette;                              ///< empty: as last time
+    std::string language;                             ///< the same
     int width = 1600;
     int height = 1000;
     ScanningSonarPipeline::Params params;

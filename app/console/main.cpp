@@ -38,7 +38,8 @@ int main(int argc, char** argv) {
     const auto& options = std::get<ConsoleOptions>(read);
     const bool unattended = options.isUnattended();
     if (!unattended && !haveDisplay()) {
-        std::cerr << "echotrail-console: there is no display; set DISPLAY, or say --headless, or use echotrail replay\n";
+        std::cerr
+            << "echotrail-console: there is no display; set DISPLAY, or say --headless, or use echotrail replay\n";
         return 1;
     }
     if (options.headless || !haveDisplay()) qputenv("QT_QPA_PLATFORM", "offscreen");

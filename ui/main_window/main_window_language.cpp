@@ -12,6 +12,7 @@
 #include <QLocale>
 #include <QMenuBar>
 #include <QSettings>
+#include <QToolBar>
 
 namespace echotrail {
 namespace {
@@ -36,7 +37,8 @@ void MainWindow::setLanguage(Language language) {
 void MainWindow::makeLanguageMenu(QMenu& menu) {
     auto* group = new QActionGroup(&menu);
     for (const Language language : {Language::English, Language::Chinese}) {
-        QAction* action = addAction(menu, languageTitle(language), {}, [this, language] { setLanguage(language); });
+        QAction* action = addAction(menu, languageTitle(language), {}, tr("Language of all texts, changed at once"),
+                                    [this, language] { setLanguage(language); });
         action->setCheckable(true);
         action->setChecked(language == currentLanguage());
         action->setActionGroup(group);
@@ -65,7 +67,8 @@ void MainWindow::retranslate() {
     layers_dock_->setWidget(new UprightScroll(layers_, this));
     if (bridge_.scene()) layers_->setScene(*bridge_.scene());
     onStatus(bridge_.status());
-    showTracker(bridge_.liveState());
+    if (bridge_.isOpen()) nameSource();
+    if (bridge_.isLive()) onLive(bridge_.liveState());
     showAlerts();
 }
 
@@ -81,6 +84,7 @@ void MainWindow::nameDocks() {
     time_line_dock_->setWindowTitle(tr("Time line"));
     keys_->setText(tr("Space play   ← → 5 s   Shift one sweep   Ctrl one ping   , . speed   ? shortcuts"));
     if (!bridge_.isOpen()) foot_->setText(tr("No source open"));
+    findChild<QToolBar*>("status")->setWindowTitle(tr("Status"));
 }
 
 }  // namespace echotrail

@@ -45,11 +45,18 @@ void StatusChip::setOnBright(bool on) {
 }
 
 QSize StatusChip::sizeHint() const {
+    QSize size = minimumSizeHint();
+    if (!detail_.isEmpty())
+        size.rwidth() += fontMetrics().averageCharWidth() + fontMetrics().horizontalAdvance(detail_);
+    return size;
+}
+
+/// In a narrow window the detail gives way.
+QSize StatusChip::minimumSizeHint() const {
     const QFontMetrics strong(bold(font()));
-    const int space = fontMetrics().averageCharWidth();
-    int width = 4 * space + fontMetrics().horizontalAdvance(label_) + strong.horizontalAdvance(value_);
+    int width = 4 * fontMetrics().averageCharWidth() + fontMetrics().horizontalAdvance(label_) +
+                strong.horizontalAdvance(value_);
     if (health_ != Health::Plain) width += fontMetrics().height();
-    if (!detail_.isEmpty()) width += space + fontMetrics().horizontalAdvance(detail_);
     return {width, fontMetrics().height() * 2};
 }
 
@@ -110,7 +117,7 @@ void StatusChip::paintEvent(QPaintEvent*) {
     const QColor words = health_ == Health::Alarm ? colours.panel : on_bright_ ? colours.text : colours.dim;
     write(label_, font(), words);
     write(value_, bold(font()), valueColour());
-    write(detail_, font(), words);
+    write(fontMetrics().elidedText(detail_, Qt::ElideRight, static_cast<int>(width() - x - space)), font(), words);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colours.line, 1.0));
     painter.drawLine(QPointF(width() - 0.5, 0), QPointF(width() - 0.5, height()));

@@ -21,7 +21,7 @@ public:
     QString value() const { return value_; }
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return {fontMetrics().averageCharWidth() * 6, sizeHint().height()}; }
+    QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;

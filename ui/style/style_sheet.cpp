@@ -65,7 +65,8 @@ QHash<QString, QColor> rolesOf(const Palette& p) {
             {"field", p.field},   {"line", p.line},         {"strong_line", p.strong_line},
             {"text", p.text},     {"dim", p.dim},           {"off", p.off},
             {"accent", p.accent}, {"selected", p.selected}, {"warning", p.warning},
-            {"alarm", p.alarm},   {"staged", p.staged},     {"ok", p.ok}};
+            {"alarm", p.alarm},   {"staged", p.staged},     {"ok", p.ok},
+            {"mark", p.mark}};
 }
 
 }  // namespace

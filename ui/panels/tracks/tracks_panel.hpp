@@ -42,6 +42,7 @@ Q_SIGNALS:
     /// The selected track is to be the target.
     void designateRequested(double range_m, echotrail::Bearing from_bow);
     void clearRequested();
+    void namesChanged(const echotrail::TrackNames& names);
     /// Whether alerts about this track are wanted.
     void muteRequested(int id, bool muted);
 
