@@ -42,7 +42,7 @@ void StatusBar::showSonar(const LiveState& state) {
     const bool fresh = scanning && state.ping_age_s && *state.ping_age_s < old_bytes_s;
     const double rate = pingRate(state);
     QStringList detail;
-    if (scanning) detail << Formatter::withUnit(rate, 1, tr("pings/s"));
+    if (fresh) detail << Formatter::withUnit(rate, 1, tr("pings/s"));
     if (state.ping_age_s) detail << ageText(state.ping_age_s);
     sonar_->show(fresh ? Health::Good : Health::Degraded, headStateTitle(state.head.state), detail.join("  "));
     sonar_->setToolTip(state.head.advice.empty() ? QString::fromStdString(state.head.head)

@@ -18,6 +18,7 @@ QFont bold(QFont font) {
 
 StatusChip::StatusChip(QWidget* parent) : QAbstractButton(parent) {
     setFocusPolicy(Qt::TabFocus);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     show(Health::Absent, {});
 }
 
@@ -44,19 +45,22 @@ void StatusChip::setOnBright(bool on) {
     update();
 }
 
-QSize StatusChip::sizeHint() const {
-    QSize size = minimumSizeHint();
-    if (!detail_.isEmpty())
-        size.rwidth() += fontMetrics().averageCharWidth() + fontMetrics().horizontalAdvance(detail_);
-    return size;
+int StatusChip::detailWidth() const {
+    return detail_.isEmpty() ? 0 : fontMetrics().averageCharWidth() + fontMetrics().horizontalAdvance(detail_);
 }
 
-/// In a narrow window the detail gives way.
+QSize StatusChip::sizeHint() const {
+    const QSize least = minimumSizeHint();
+    return health_ == Health::Degraded ? least : least + QSize(detailWidth(), 0);
+}
+
+/// In a narrow window the detail gives way, unless it says what is wrong.
 QSize StatusChip::minimumSizeHint() const {
     const QFontMetrics strong(bold(font()));
     int width = 4 * fontMetrics().averageCharWidth() + fontMetrics().horizontalAdvance(label_) +
                 strong.horizontalAdvance(value_);
     if (health_ != Health::Plain) width += fontMetrics().height();
+    if (health_ == Health::Degraded) width += detailWidth();
     return {width, fontMetrics().height() * 2};
 }
 

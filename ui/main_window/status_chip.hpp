@@ -27,6 +27,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    int detailWidth() const;
     QColor valueColour() const;
     void paintMark(QPainter& painter, const QRectF& box) const;
 

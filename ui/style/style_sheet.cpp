@@ -49,6 +49,7 @@ QLabel#dim:disabled, QLabel#card_stale { color: @off; }
 QLabel#title { font-weight: 600; }
 QLabel#card_value, QLabel#card_stale { font-size: @15px; font-weight: 600; }
 QLabel#card_detail { color: @dim; font-size: @11px; }
+QLabel#on_canvas { color: @mark; }
 QLabel#refusal { color: @warning; }
 QLabel#staged { color: @staged; font-weight: 600; }
 QLabel#good { color: @ok; }
