@@ -20,17 +20,36 @@ Result<void> applyParameters(ScanningSonarPipeline::Params& params, const std::v
     return {};
 }
 
+/// Each moment belongs to the picture in the same place of its list.
+Result<void> applyPictures(Schedule& schedule, const std::vector<std::string>& files, const std::vector<double>& at_s) {
+    const bool one_at_the_end = files.size() == 1 && at_s.empty();
+    if (!one_at_the_end && files.size() != at_s.size())
+        return Error{"each of several --screenshot-to needs its own --at, in the same order"};
+    for (std::size_t i = 0; i < files.size(); ++i)
+        schedule.pictures.push_back({QString::fromStdString(files[i]), at_s.empty() ? Schedule::unsaid : at_s[i]});
+    return {};
+}
+
+constexpr auto exit_codes = R"(
+Exit codes: 0 done; 1 failed while running (a source that cannot be opened, a picture that cannot be written), one line
+on standard error says why; 2 usage; 3 done, but records of the source were lost or rejected, its recording has failed, or
+a moment asked for lies past its end. Ctrl-C and SIGTERM end a run cleanly.)";
+
 }  // namespace
 
 std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
     ConsoleOptions options;
     std::vector<std::string> files;
     std::vector<std::string> assignments;
+    std::vector<std::string> pictures;
+    std::vector<double> at_s;
+    std::string dock;
     CLI::App app{
         "Echotrail operator console: polls a sonar head, or plays recordings, and shows what the tracker finds."};
     app.set_version_flag("--version", ECHOTRAIL_VERSION);
+    app.footer(exit_codes);
     auto* recording =
-        app.add_option("RECORDING", options.recording, "Recording to open: .echotrail, .V4LOG or raw .bin");
+        app.add_option("RECORDING,--replay", options.recording, "Recording to open: .echotrail, .V4LOG or raw .bin");
     auto* demonstration =
         app.add_flag("--demonstration", options.demonstration, "Open the built-in simulated approach");
     demonstration->excludes(recording);
@@ -48,11 +67,32 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
         ->excludes(recording)
         ->excludes(demonstration)
         ->excludes(sonar);
-    auto* picture = app.add_option("--screenshot", options.screenshot,
-                                   "Write a PNG of the window at --at, then exit; settings are not touched");
-    app.add_option("--at", options.at_s,
-                   "Moment of the picture in seconds from the start (default: the end, or the first sweep of a head)")
+    app.add_option(
+           "--target", options.target,
+           "RANGE_M,BEARING_DEG of the target, in metres and degrees clockwise from the bow, seen from the head "
+           "at the first ping (default: none designated)")
+        ->delimiter(',');
+    app.add_flag(
+        "--headless", options.headless,
+        "Needs no display: nobody sees the window, no settings are read or written. A recording is gone through "
+        "as fast as the machine can, to --exit-at, the last picture, or its end; a head is polled until then, "
+        "or Ctrl-C");
+    auto* picture = app.add_option("--screenshot-to,--screenshot", pictures,
+                                   "Write a PNG of the window at the --at that goes with it, and exit after the last; "
+                                   "may be given more than once")
+                        ->allow_extra_args(false);
+    app.add_option("--at", at_s,
+                   "Moment of a picture in seconds: of a recording from its first ping, else from the start of the "
+                   "program (default for one picture: the end, or the first sweep of a head)")
         ->check(CLI::NonNegativeNumber)
+        ->allow_extra_args(false)
+        ->needs(picture);
+    app.add_option("--exit-at", options.schedule.exit_at_s,
+                   "Moment to exit at, in the same seconds (default: after the last picture)")
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--show", dock, "Panel to bring to the front for the pictures")
+        ->check(CLI::IsMember(
+            {"connection", "layers", "chart", "tracks", "parameters", "plan", "alerts", "time_line", "beam"}))
         ->needs(picture);
     app.add_option("--palette", options.palette, "day, dusk or night (default: as last time)")
         ->check(CLI::IsMember({"day", "dusk", "night"}));
@@ -70,19 +110,17 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : usage_error;
     }
-    if (!options.screenshot.empty() && options.recording.empty() && !options.demonstration && options.sonar.empty() &&
-        options.connect.empty() && options.at_s) {
-        std::cerr << "echotrail-console: --at needs a RECORDING, --demonstration, --sonar or --connect\n";
-        return usage_error;
-    }
     if (options.no_record && options.sonar.empty() && options.connect.empty()) {
         std::cerr << "echotrail-console: --no-record needs --sonar or --connect\n";
         return usage_error;
     }
-    if (const auto applied = applyParameters(options.params, files, assignments); !applied) {
+    auto applied = applyParameters(options.params, files, assignments);
+    if (applied) applied = applyPictures(options.schedule, pictures, at_s);
+    if (!applied) {
         std::cerr << "echotrail-console: " << applied.error() << "\n";
         return usage_error;
     }
+    options.schedule.dock = QString::fromStdString(dock);
     options.params_given = !files.empty() || !assignments.empty();
     return options;
 }

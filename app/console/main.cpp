@@ -1,10 +1,11 @@
+#include "app/io/interrupts.hpp"
 #include "console_options.hpp"
 #include "libraries.hpp"
 #include "live_connection.hpp"
-#include "screenshot.hpp"
 #include "ui/main_window/main_window.hpp"
 #include "ui/main_window/message_strip.hpp"
 #include "ui/panels/connection/connection_panel.hpp"
+#include "unattended.hpp"
 
 #include <QApplication>
 #include <QIcon>
@@ -14,10 +15,20 @@
 
 namespace {
 
+constexpr int interrupt_interval_ms = 100;
+
 /// Whether there is anywhere to put a window. Qt would abort without saying what to do.
 bool haveDisplay() {
     return !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") || !qEnvironmentVariableIsEmpty("DISPLAY") ||
            !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+}
+
+/// As soon as there is something to find the target in: before the first ping.
+void designateFirst(echotrail::PipelineBridge& bridge, std::pair<double, double> target) {
+    QObject::connect(
+        &bridge, &echotrail::PipelineBridge::opened, &bridge,
+        [&bridge, target] { bridge.designate(target.first, echotrail::radiansFromDegrees(target.second)); },
+        Qt::SingleShotConnection);
 }
 
 }  // namespace
@@ -27,14 +38,13 @@ int main(int argc, char** argv) {
     auto read = readConsoleOptions(argc, argv);
     if (const int* code = std::get_if<int>(&read)) return *code;
     const auto& options = std::get<ConsoleOptions>(read);
-    const bool picture = !options.screenshot.empty();
-    if (!haveDisplay()) {
-        if (!picture) {
-            std::cerr << "echotrail-console: there is no display; set DISPLAY, or use echotrail replay\n";
-            return 1;
-        }
-        qputenv("QT_QPA_PLATFORM", "offscreen");
+    const bool unattended = options.isUnattended();
+    if (!unattended && !haveDisplay()) {
+        std::cerr
+            << "echotrail-console: there is no display; set DISPLAY, or say --headless, or use echotrail replay\n";
+        return 1;
     }
+    if (options.headless || !haveDisplay()) qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication app(argc, argv);
     QApplication::setApplicationName("console");
     QApplication::setOrganizationName("echotrail");
@@ -44,10 +54,10 @@ int main(int argc, char** argv) {
     QApplication::setStyle("Fusion");
     QSettings::setDefaultFormat(QSettings::IniFormat);
 
-    MainWindow window({.remember = !picture,
-                       .play_on_open = !picture,
+    MainWindow window({.remember = !unattended,
+                       .play_on_open = !unattended,
                        .language = QString::fromStdString(options.language),
-                       .steady_alerts = picture,
+                       .steady_alerts = unattended,
                        .live = liveAccess(),
                        .libraries = libraries()});
     if (!options.palette.empty()) window.setTheme(themeFromName(QString::fromStdString(options.palette)));
@@ -56,6 +66,8 @@ int main(int argc, char** argv) {
     window.bridge().setOverridesRecorded(options.params_given);
     window.resize(options.width, options.height);
     window.show();
+    catchInterrupts();
+    if (options.target) designateFirst(window.bridge(), *options.target);
     const bool chosen = !options.recording.empty() || !options.sonar.empty() || !options.connect.empty();
     if (options.demonstration) window.openDemonstration();
     if (!chosen) window.greet();
@@ -64,14 +76,18 @@ int main(int argc, char** argv) {
     if (!options.sonar.empty())
         window.connection().connectTo(QString::fromStdString(options.sonar), QString::fromStdString(options.navigation),
                                       !options.no_record);
-    const bool live = !options.sonar.empty() || !options.connect.empty();
-    if (live && picture && !window.bridge().isLive()) {
+    if (options.isLive() && unattended && !window.bridge().isLive()) {
         std::cerr << "echotrail-console: " << window.messages().text().toStdString() << "\n";
         return 1;
     }
-    if (picture)
-        new Screenshot(window, QString::fromStdString(options.screenshot), options.at_s,
-                       options.demonstration || !options.recording.empty() || live);
+    if (unattended) new Unattended(window, options.schedule, options.hasSource());
+    QTimer interrupts;  // a signal handler may do no more than set a flag
+    if (!unattended) {
+        QObject::connect(&interrupts, &QTimer::timeout, &window, [&window] {
+            if (isInterrupted()) window.close();
+        });
+        interrupts.start(interrupt_interval_ms);
+    }
     if (options.quit_after_s)
         QTimer::singleShot(static_cast<int>(*options.quit_after_s * 1000.0), &window, &QWidget::close);
     return QApplication::exec();

@@ -3,23 +3,13 @@
 #include <QCoreApplication>
 #include <QTimer>
 #include <chrono>
-#include <csignal>
 
 namespace echotrail {
-
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
 constexpr int look_interval_ms = 50;
 
 }  // namespace
-
-void catchInterrupts() {
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
-}
-
-bool isInterrupted() { return interrupted != 0; }
 
 const char* runEventLoop(std::optional<double> duration_s) {
     catchInterrupts();

@@ -124,17 +124,6 @@
     </message>
 </context>
 <context>
-    <name>FanView</name>
-    <message>
-        <source> lost %1</source>
-        <translation> 丢失 %1</translation>
-    </message>
-    <message>
-        <source>seen %1 ago</source>
-        <translation>%1前看到</translation>
-    </message>
-</context>
-<context>
     <name>Theme</name>
     <message>
         <source>Day</source>
@@ -388,10 +377,6 @@
         <translation>标记</translation>
     </message>
     <message>
-        <source>Mark the place under the cursor, else the target (K)</source>
-        <translation>标记光标处，否则标记目标 (K)</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>删除</translation>
     </message>
@@ -434,6 +419,10 @@
     <message>
         <source>Fix to vehicle</source>
         <translation>固定于航行器</translation>
+    </message>
+    <message>
+        <source>Mark the place under the cursor, else the target (M)</source>
+        <translation>标记光标所在位置，否则标记目标 (M)</translation>
     </message>
 </context>
 <context>
@@ -552,6 +541,169 @@
     <message>
         <source>Close “%1”; the Window menu brings it back</source>
         <translation>关闭“%1”；可从“窗口”菜单恢复</translation>
+    </message>
+</context>
+<context>
+    <name>echotrail::FanText</name>
+    <message>
+        <source>Measure </source>
+        <translation>测距 </translation>
+    </message>
+    <message>
+        <source>drag, or click two places</source>
+        <translation>拖动，或点击两处</translation>
+    </message>
+    <message>
+        <source>Guard zone </source>
+        <translation>警戒区 </translation>
+    </message>
+    <message>
+        <source>Veto area </source>
+        <translation>屏蔽区 </translation>
+    </message>
+    <message>
+        <source>click its corners, Esc gives up</source>
+        <translation>点击各角点，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Enter closes it, Backspace takes a corner back</source>
+        <translation>Enter 闭合，Backspace 撤回一个角点</translation>
+    </message>
+    <message>
+        <source>Enter or let go commands, Esc gives up</source>
+        <translation>Enter 或松开即下达，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>commanded, not confirmed</source>
+        <translation>已下达，未确认</translation>
+    </message>
+    <message>
+        <source>Sector </source>
+        <translation>扇区 </translation>
+    </message>
+    <message>
+        <source>Cursor </source>
+        <translation>光标 </translation>
+    </message>
+    <message>
+        <source>stands out </source>
+        <translation>突出 </translation>
+    </message>
+    <message>
+        <source>level </source>
+        <translation>电平 </translation>
+    </message>
+    <message>
+        <source>  beam age </source>
+        <translation>  波束龄 </translation>
+    </message>
+    <message>
+        <source>ECHO OFF</source>
+        <translation>回波关</translation>
+    </message>
+    <message>
+        <source>MOVING ONLY</source>
+        <translation>仅运动</translation>
+    </message>
+    <message>
+        <source>ENHANCED</source>
+        <translation>增强</translation>
+    </message>
+    <message>
+        <source>RAW</source>
+        <translation>原始</translation>
+    </message>
+    <message>
+        <source>GROUND FIXED</source>
+        <translation>对地固定</translation>
+    </message>
+    <message>
+        <source>OFF CENTRE</source>
+        <translation>偏心</translation>
+    </message>
+    <message>
+        <source>shown head up</source>
+        <translation>以艏向上显示</translation>
+    </message>
+    <message>
+        <source>Learns what lies still</source>
+        <translation>正在学习静止回波</translation>
+    </message>
+    <message>
+        <source>wait two sweeps</source>
+        <translation>请等两次扫描</translation>
+    </message>
+    <message>
+        <source>FILTERS ACTIVE</source>
+        <translation>滤除生效</translation>
+    </message>
+    <message>
+        <source>regions dropped: %1</source>
+        <translation>舍弃区域：%1</translation>
+    </message>
+    <message>
+        <source>NAVIGATION GAP</source>
+        <translation>导航中断</translation>
+    </message>
+    <message>
+        <source>tracks coast</source>
+        <translation>航迹外推</translation>
+    </message>
+    <message>
+        <source>Sweep </source>
+        <translation>扫描 </translation>
+    </message>
+    <message>
+        <source>  oldest beam </source>
+        <translation>  最旧波束 </translation>
+    </message>
+    <message>
+        <source>Next look at %1 in </source>
+        <translation>下次看到 %1 还有 </translation>
+    </message>
+    <message>
+        <source>ESS %1 / %2</source>
+        <translation>ESS %1 / %2</translation>
+    </message>
+    <message>
+        <source>no particles</source>
+        <translation>无粒子</translation>
+    </message>
+    <message>
+        <source>No echoes yet</source>
+        <translation>尚无回波</translation>
+    </message>
+    <message>
+        <source>North up needs a heading</source>
+        <translation>北向上需要艏向</translation>
+    </message>
+    <message>
+        <source>Course up needs heading and position</source>
+        <translation>航向向上需要艏向和位置</translation>
+    </message>
+    <message>
+        <source>Course up needs a vehicle that moves</source>
+        <translation>航向向上需要载体在运动</translation>
+    </message>
+    <message>
+        <source>NORTH UP</source>
+        <translation>北向上</translation>
+    </message>
+    <message>
+        <source>COURSE UP</source>
+        <translation>航向向上</translation>
+    </message>
+    <message>
+        <source>HEAD UP</source>
+        <translation>艏向上</translation>
+    </message>
+    <message>
+        <source> lost %1</source>
+        <translation> 丢失 %1</translation>
+    </message>
+    <message>
+        <source>seen %1 ago</source>
+        <translation>%1前看到</translation>
     </message>
 </context>
 <context>
@@ -874,10 +1026,6 @@
         <translation>连接模拟声纳头(&amp;S)</translation>
     </message>
     <message>
-        <source>Set the &amp;sector on the fan</source>
-        <translation>在扇面上设置扇区(&amp;S)</translation>
-    </message>
-    <message>
         <source>&amp;Disconnect</source>
         <translation>断开(&amp;D)</translation>
     </message>
@@ -956,10 +1104,6 @@
     <message>
         <source>F&amp;ollow the vehicle</source>
         <translation>跟随载体(&amp;O)</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>测距(&amp;M)</translation>
     </message>
     <message>
         <source>Fit the &amp;picture</source>
@@ -1190,10 +1334,6 @@
         <translation>保留控制权(&amp;K)</translation>
     </message>
     <message>
-        <source>Ta&amp;ke control</source>
-        <translation>接管控制权(&amp;K)</translation>
-    </message>
-    <message>
         <source>Connect to a tracker</source>
         <translation>连接跟踪器</translation>
     </message>
@@ -1258,14 +1398,6 @@
         <translation>两点间的距离与方位：拖动，或依次点击</translation>
     </message>
     <message>
-        <source>Mar&amp;k</source>
-        <translation>标记(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Mark the place under the cursor, else the target</source>
-        <translation>标记光标处，否则标记目标</translation>
-    </message>
-    <message>
         <source>&amp;Guard zone…</source>
         <translation>警戒区(&amp;G)…</translation>
     </message>
@@ -1312,10 +1444,6 @@
     <message>
         <source>Head up, north up, course up in turn</source>
         <translation>依次切换船首向上、北向上、航向向上</translation>
-    </message>
-    <message>
-        <source>O&amp;ff-centre to the cursor</source>
-        <translation>偏心至光标(&amp;F)</translation>
     </message>
     <message>
         <source>Move what is under the cursor into the middle; 0 takes it back</source>
@@ -1472,6 +1600,162 @@
     <message>
         <source>&amp;Recordings aboard…</source>
         <translation>船载记录(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Mea&amp;sure</source>
+        <translation>测距(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Mark</source>
+        <translation>标记(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Mark the moment and the place under the cursor, else the target</source>
+        <translation>标记此刻与光标所在位置，否则标记目标</translation>
+    </message>
+    <message>
+        <source>Off-centre &amp;to the cursor</source>
+        <translation>偏心至光标(&amp;T)</translation>
+    </message>
+    <message>
+        <source>All keys on one sheet; Esc puts it away</source>
+        <translation>所有按键一览；Esc 收起</translation>
+    </message>
+    <message>
+        <source>Language of all texts, changed at once</source>
+        <translation>所有文字的语言，立即切换</translation>
+    </message>
+    <message>
+        <source>To a sonar head by a serial port, TCP or UDP; its address is typed in the panel Sonar</source>
+        <translation>经串口、TCP 或 UDP 连接声纳头；地址在“声纳”面板中输入</translation>
+    </message>
+    <message>
+        <source>Set the s&amp;ector on the fan</source>
+        <translation>在扇面上设置扇区(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Move its edges with the arrow keys; Enter commands the head, Esc gives up</source>
+        <translation>用方向键移动扇区边界；Enter 下达给声纳头，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Ends the live run; its recording is closed</source>
+        <translation>结束实时运行；其记录随之关闭</translation>
+    </message>
+    <message>
+        <source>Plays an .echotrail log, a Seanet Pro .V4LOG or a raw .bin; the file is only read</source>
+        <translation>回放 .echotrail 日志、Seanet Pro .V4LOG 或原始 .bin；文件只读</translation>
+    </message>
+    <message>
+        <source>The recording that was opened most recently</source>
+        <translation>最近打开的记录</translation>
+    </message>
+    <message>
+        <source>A simulated approach with the tracker running; nothing is connected or sent</source>
+        <translation>跟踪器运行中的模拟接近；不连接也不发送</translation>
+    </message>
+    <message>
+        <source>Back to the start page</source>
+        <translation>回到起始页</translation>
+    </message>
+    <message>
+        <source>Written as PNG to your folder of pictures</source>
+        <translation>以 PNG 写入您的图片文件夹</translation>
+    </message>
+    <message>
+        <source>Ends a live run cleanly and keeps the layout</source>
+        <translation>干净地结束实时运行并保存布局</translation>
+    </message>
+    <message>
+        <source>No recording was opened before</source>
+        <translation>此前未打开过记录</translation>
+    </message>
+    <message>
+        <source>The next palette; never from night to day at once</source>
+        <translation>下一种配色；绝不从夜间直接跳到白天</translation>
+    </message>
+    <message>
+        <source>The vehicle keeps its place on the screen; else the ground does</source>
+        <translation>载体在屏幕上位置不变；否则地面不变</translation>
+    </message>
+    <message>
+        <source>The whole sector, in the middle</source>
+        <translation>完整扇区，居中显示</translation>
+    </message>
+    <message>
+        <source>The window fills the screen; the same key goes back</source>
+        <translation>窗口充满屏幕；再按同一键返回</translation>
+    </message>
+    <message>
+        <source>Shows or hides it on the fan</source>
+        <translation>在扇面上显示或隐藏</translation>
+    </message>
+    <message>
+        <source>Goes there, with the tracks as they were then</source>
+        <translation>跳到该处，航迹如当时所见</translation>
+    </message>
+    <message>
+        <source>Plays on from here; at the end from the start</source>
+        <translation>从此处继续播放；在末尾则从头开始</translation>
+    </message>
+    <message>
+        <source>Fewer seconds of the recording per second</source>
+        <translation>每秒播放更少的记录时间</translation>
+    </message>
+    <message>
+        <source>More seconds of the recording per second; no ping is left out</source>
+        <translation>每秒播放更多的记录时间；不漏任何 ping</translation>
+    </message>
+    <message>
+        <source>By any part of its name or of what it does</source>
+        <translation>按名称或作用中的任意部分查找</translation>
+    </message>
+    <message>
+        <source>All parameters of a TOML file, in one step that can be undone</source>
+        <translation>TOML 文件中的全部参数，一步设定，可撤销</translation>
+    </message>
+    <message>
+        <source>All parameters as a TOML file that echotrail reads, too</source>
+        <translation>全部参数存为 TOML 文件，echotrail 亦可读取</translation>
+    </message>
+    <message>
+        <source>Can be undone like every change of a parameter</source>
+        <translation>与参数的每次更改一样可以撤销</translation>
+    </message>
+    <message>
+        <source>Shows or hides this panel</source>
+        <translation>显示或隐藏此面板</translation>
+    </message>
+    <message>
+        <source>Every panel back to where it was on the first day</source>
+        <translation>所有面板回到最初的位置</translation>
+    </message>
+    <message>
+        <source>Follows a tracker aboard: what it sees is shown here</source>
+        <translation>跟随艇上跟踪器：它所见即显示在此</translation>
+    </message>
+    <message>
+        <source>Whoever commands the tracker is asked to give control</source>
+        <translation>请求当前控制者交出控制权</translation>
+    </message>
+    <message>
+        <source>To the console that asks, else to nobody</source>
+        <translation>交给请求的控制台，无人请求则无人控制</translation>
+    </message>
+    <message>
+        <source>The console that asks is told no</source>
+        <translation>拒绝请求的控制台</translation>
+    </message>
+    <message>
+        <source>Take contr&amp;ol</source>
+        <translation>接管控制权(&amp;O)</translation>
+    </message>
+    <message>
+        <source>From a holder that has not answered for 15 s</source>
+        <translation>从 15 s 未应答的持有者处接管</translation>
+    </message>
+    <message>
+        <source>Those of the tracker, to be fetched beside the picture</source>
+        <translation>跟踪器上的记录，可在观看图像的同时取回</translation>
     </message>
 </context>
 <context>
@@ -1809,6 +2093,26 @@
     <message>
         <source>“%1” cannot be compared with. %2.</source>
         <translation>无法与“%1”对比。%2。</translation>
+    </message>
+    <message>
+        <source>Sets all parameters as in this preset; Ctrl+Z takes them back</source>
+        <translation>将全部参数设为此预设；Ctrl+Z 撤回</translation>
+    </message>
+    <message>
+        <source>Shows only what differs, beside what is set</source>
+        <translation>仅显示差异，与当前值并列</translation>
+    </message>
+    <message>
+        <source>All parameters under a name of your own</source>
+        <translation>以自定名称保存全部参数</translation>
+    </message>
+    <message>
+        <source>All parameters of a TOML file, in one step that can be undone</source>
+        <translation>TOML 文件中的全部参数，一步设定，可撤销</translation>
+    </message>
+    <message>
+        <source>All parameters as a TOML file that echotrail reads, too</source>
+        <translation>全部参数存为 TOML 文件，echotrail 亦可读取</translation>
     </message>
 </context>
 <context>
@@ -2149,10 +2453,6 @@ is taken to lie still, bow north</source>
         <translation>按键</translation>
     </message>
     <message>
-        <source>mark the place under the cursor</source>
-        <translation>标记光标处</translation>
-    </message>
-    <message>
         <source>draw a guard zone, a veto area</source>
         <translation>绘制警戒区、屏蔽区</translation>
     </message>
@@ -2191,6 +2491,10 @@ is taken to lie still, bow north</source>
     <message>
         <source>the manual, at what the mouse points at</source>
         <translation>手册中与鼠标所指之处有关的一页</translation>
+    </message>
+    <message>
+        <source>mark the moment and the place under the cursor</source>
+        <translation>标记此刻与光标所在位置</translation>
     </message>
 </context>
 <context>

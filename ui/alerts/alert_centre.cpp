@@ -25,7 +25,8 @@ AlertCentre::AlertCentre(QObject* parent) : QObject(parent), sound_([] { QApplic
 }
 
 Timestamp AlertCentre::now() const {
-    return live_ ? started_ + std::chrono::milliseconds(running_.elapsed()) : replay_time_;
+    if (!live_) return replay_time_;
+    return clock_ ? clock_() : started_ + std::chrono::milliseconds(running_.elapsed());
 }
 
 void AlertCentre::showNothing() {
@@ -48,7 +49,7 @@ void AlertCentre::showScene(const Scene& scene, bool live) {
     live_ = live;
     if (!live && scene.latest.time < replay_time_) book_.clear();  // wound back
     if (!live) replay_time_ = scene.latest.time;
-    of_scene_ = AlertRules::ofScene(scene, live);
+    of_scene_ = AlertRules::ofScene(scene, live, names_);
     update();
 }
 
@@ -62,7 +63,7 @@ void AlertCentre::update() {
 
 void AlertCentre::guardZoneEntered(int track, const QString& zone) {
     if (muted_.contains(track)) return;
-    book_.happened(AlertRules::guardZoneEntered(track, zone), now());
+    book_.happened(AlertRules::guardZoneEntered(track, zone, names_), now());
     tell();
 }
 

@@ -6,6 +6,7 @@
 #include "ui/alerts/alert_model.hpp"
 #include "ui/alerts/alert_sound.hpp"
 #include "ui/bridge/live_source.hpp"
+#include "ui/style/formatter.hpp"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -38,6 +39,8 @@ public:
     AlertModel& model() { return model_; }
     AlertSummary summary() const;
     void setSound(std::function<void()> sound) { sound_ = std::move(sound); }
+    /// What time it is for alerts of a head that is polled, instead of the computer's.
+    void setClock(std::function<Timestamp()> clock) { clock_ = std::move(clock); }
     /// Where what becomes of alerts is written; without it nowhere.
     void setLog(const QString& path) { log_ = std::make_unique<AlertLog>(path); }
     /// Nothing flashes: what would is shown filled.
@@ -47,6 +50,8 @@ public:
     bool isLit(AlertPriority priority) const;
     double silentFor() const { return sound_rule_.silentFor(now()); }
 
+    /// What tracks are called in alerts from now on.
+    void setTrackNames(const TrackNames& names) { names_ = names; }
     void showNothing();
     void showLive(const LiveState& state, double longest_heading_gap_s);
     void showScene(const Scene& scene, bool live);
@@ -79,8 +84,10 @@ private:
     std::unique_ptr<AlertLog> log_;
     bool log_failure_told_ = false;
     std::function<void()> sound_;
+    std::function<Timestamp()> clock_;
     std::vector<Situation> of_live_, of_scene_;
     QSet<int> muted_;
+    TrackNames names_;
     bool live_ = false;
     Timestamp replay_time_{};
     Timestamp started_{};

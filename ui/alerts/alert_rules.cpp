@@ -1,6 +1,5 @@
 #include "ui/alerts/alert_rules.hpp"
 
-#include "ui/style/formatter.hpp"
 #include "ui/views/track_painter.hpp"
 
 namespace echotrail {
@@ -92,7 +91,7 @@ void AlertRules::addRecording(const LiveStatus& run, std::vector<Situation>& sit
                           minutes ? free + " · " + tr("room for %1 min").arg(Formatter::number(*minutes, 0)) : free});
 }
 
-std::vector<Situation> AlertRules::ofScene(const Scene& scene, bool live) {
+std::vector<Situation> AlertRules::ofScene(const Scene& scene, bool live, const TrackNames& names) {
     std::vector<Situation> situations;
     for (const Track& track : scene.tracks) {
         if (!track.target || track.state != TrackState::Lost) continue;
@@ -100,7 +99,8 @@ std::vector<Situation> AlertRules::ofScene(const Scene& scene, bool live) {
         situations.push_back(
             {QString("track_lost/%1").arg(track.id), AlertPriority::Alarm,
              tr("%1 lost, no echo for %2")
-                 .arg(Formatter::trackId(track.id), Formatter::age(secondsBetween(track.last_seen, scene.latest.time))),
+                 .arg(Formatter::trackLabel(track.id, names),
+                      Formatter::age(secondsBetween(track.last_seen, scene.latest.time))),
              tr("expected at %1 %2")
                  .arg(Formatter::range(rangeOf(track, pose)), Formatter::relativeBearing(bearingOf(track, pose))),
              0.0, track.id});
@@ -111,10 +111,10 @@ std::vector<Situation> AlertRules::ofScene(const Scene& scene, bool live) {
     return situations;
 }
 
-Situation AlertRules::guardZoneEntered(int track, const QString& zone) {
+Situation AlertRules::guardZoneEntered(int track, const QString& zone, const TrackNames& names) {
     return {QString("guard/%1/%2").arg(zone).arg(track),
             AlertPriority::Alarm,
-            tr("%1 in guard zone %2").arg(Formatter::trackId(track), zone),
+            tr("%1 in guard zone %2").arg(Formatter::trackLabel(track, names), zone),
             tr("a confirmed track has come in"),
             0.0,
             track};

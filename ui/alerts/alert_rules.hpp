@@ -3,6 +3,7 @@
 #include "core/runtime/scene.hpp"
 #include "ui/alerts/alert.hpp"
 #include "ui/bridge/live_source.hpp"
+#include "ui/style/formatter.hpp"
 
 #include <QCoreApplication>
 #include <vector>
@@ -24,9 +25,9 @@ public:
     /// Of a head that is polled, or a tracker that is followed. `longest_heading_gap_s`: an older heading is no use.
     static std::vector<Situation> ofLive(const LiveState& state, double longest_heading_gap_s);
     /// Of what the tracker makes of the echoes. `live`: its heading is judged by ofLive().
-    static std::vector<Situation> ofScene(const Scene& scene, bool live);
+    static std::vector<Situation> ofScene(const Scene& scene, bool live, const TrackNames& names = {});
     /// A confirmed track has come into a guard zone.
-    static Situation guardZoneEntered(int track, const QString& zone);
+    static Situation guardZoneEntered(int track, const QString& zone, const TrackNames& names = {});
 
 private:
     static void addLinks(const LiveState& state, std::vector<Situation>& situations);

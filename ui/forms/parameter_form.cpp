@@ -120,6 +120,8 @@ QWidget* ParameterForm::makeSearchRow() {
     auto* preset = new QToolButton(row);
     preset->setText(tr("Preset"));
     preset->setPopupMode(QToolButton::InstantPopup);
+    // Room for the sign that there is a menu, which the style does not keep.
+    preset->setMinimumWidth(preset->fontMetrics().horizontalAdvance(preset->text()) + 2 * fontMetrics().height());
     preset_menu_ = new QMenu(preset);
     connect(preset_menu_, &QMenu::aboutToShow, this, &ParameterForm::fillPresetMenu);
     fillPresetMenu();

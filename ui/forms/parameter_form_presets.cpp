@@ -11,13 +11,16 @@ void ParameterForm::fillPresetMenu() {
     auto* compare = new QMenu(tr("&Compare with"), preset_menu_);
     const auto list = [&](const QStringList& names) {
         for (const QString& name : names) {
-            preset_menu_->addAction(name, this, [this, name] { takePreset(name); });
+            preset_menu_->addAction(name, this, [this, name] { takePreset(name); })
+                ->setStatusTip(tr("Sets all parameters as in this preset; Ctrl+Z takes them back"));
             QAction* each = compare->addAction(name, this, [this, name] { compareWith(name); });
+            each->setStatusTip(tr("Shows only what differs, beside what is set"));
             each->setCheckable(true);
             each->setChecked(name == model_.referenceName());
         }
     };
     QAction* defaults = compare->addAction(tr("the defaults"), this, [this] { compareWith({}); });
+    defaults->setStatusTip(tr("Shows only what differs, beside what is set"));
     defaults->setCheckable(true);
     defaults->setChecked(model_.referenceName().isEmpty());
     list(presets_.builtIn());
@@ -25,10 +28,13 @@ void ParameterForm::fillPresetMenu() {
     list(presets_.own());
     preset_menu_->addSeparator();
     preset_menu_->addMenu(compare);
-    preset_menu_->addAction(tr("&Keep as preset…"), this, &ParameterForm::askForPresetName);
+    preset_menu_->addAction(tr("&Keep as preset…"), this, &ParameterForm::askForPresetName)
+        ->setStatusTip(tr("All parameters under a name of your own"));
     preset_menu_->addSeparator();
-    preset_menu_->addAction(tr("&Load from a file…"), this, &ParameterForm::loadFile);
-    preset_menu_->addAction(tr("&Save to a file…"), this, &ParameterForm::saveFile);
+    preset_menu_->addAction(tr("&Load from a file…"), this, &ParameterForm::loadFile)
+        ->setStatusTip(tr("All parameters of a TOML file, in one step that can be undone"));
+    preset_menu_->addAction(tr("&Save to a file…"), this, &ParameterForm::saveFile)
+        ->setStatusTip(tr("All parameters as a TOML file that echotrail reads, too"));
 }
 
 void ParameterForm::askForPresetName() {

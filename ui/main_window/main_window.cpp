@@ -136,6 +136,12 @@ void MainWindow::makeDocks() {
             [this](double range_m, Bearing from_bow) { bridge_.designate(range_m, from_bow.inRadians()); });
     connect(tracks_, &TracksPanel::dropRequested, this, &MainWindow::dropTrack);
     connect(tracks_, &TracksPanel::muteRequested, this, [this](int id, bool on) { alerts_->setMuted(id, on); });
+    connect(tracks_, &TracksPanel::namesChanged, this, [this](const TrackNames& names) {
+        fan_->setTrackNames(names);
+        plan_->setTrackNames(names);
+        alerts_->setTrackNames(names);
+        if (bridge_.scene()) onScene(bridge_.scene());
+    });
     for (const auto happening : {&PipelineBridge::opened, &PipelineBridge::closed})
         connect(&bridge_, happening, tracks_, &TracksPanel::startAnew);
     connect(tracks_, &TracksPanel::clearRequested, this, [this] { bridge_.clearDesignation(); });
@@ -153,7 +159,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::makeStatusBars() {
-    auto* bar = new QToolBar(tr("Status"), this);
+    auto* bar = new QToolBar(this);
     bar->setObjectName("status");
     bar->setMovable(false);
     bar->setFloatable(false);
@@ -237,27 +243,33 @@ void MainWindow::onOpened() {
         start_->setRecent(recentRecordings());
     }
     opening_path_.clear();
-    setWindowTitle(QString::fromStdString(info.name) + tr(" — Echotrail"));
     fan_->setScene(nullptr);  // what was open before
     recording_failure_told_ = false;
     openChart();
-    if (!bridge_.isLive()) status_->showSource(info);
     (bridge_.isLive() ? connection_dock_ : layers_dock_)->raise();
     setSummary(time_line_dock_, QString::fromStdString(info.name));
     showStart(false);
     fan_->setFocus(Qt::OtherFocusReason);
-    QStringList notes;
-    for (const std::string& note : info.notes) notes << QString::fromStdString(note);
-    foot_->setText((bridge_.isTracker() ? tr("Following %1")
-                    : bridge_.isLive()  ? tr("Polling %1")
-                                        : tr("Opened %1"))
-                       .arg(QString::fromStdString(info.name)) +
-                   "   " + QString::fromStdString(info.head) +
-                   (notes.isEmpty() ? QString() : "   " + tr("notes on it under FILE")));
-    foot_->setToolTip(notes.join("\n"));
+    nameSource();
     if (bridge_.isAsRecorded())
         say(tr("Parameters and seed are those of the recorded run; what you set counts from then on instead."), true);
     if (options_.play_on_open) bridge_.play();
+}
+
+/// In the title, the status bar and the foot.
+void MainWindow::nameSource() {
+    const SourceInfo& info = bridge_.info();
+    const QString name = QString::fromStdString(info.name);
+    setWindowTitle(name + tr(" — Echotrail"));
+    if (!bridge_.isLive()) status_->showSource(info);
+    QStringList notes;
+    for (const std::string& note : info.notes) notes << QString::fromStdString(note);
+    const QString doing = bridge_.isTracker() ? tr("Following %1")
+                          : bridge_.isLive()  ? tr("Polling %1")
+                                              : tr("Opened %1");
+    foot_->setText(doing.arg(name) + "   " + QString::fromStdString(info.head) +
+                   (notes.isEmpty() ? QString() : "   " + tr("notes on it under FILE")));
+    foot_->setToolTip(notes.join("\n"));
 }
 
 void MainWindow::onScene(const std::shared_ptr<const Scene>& scene) {
@@ -265,7 +277,7 @@ void MainWindow::onScene(const std::shared_ptr<const Scene>& scene) {
     guards_->setScene(*scene);
     beam_->setScene(scene);
     const bool rests = bridge_.status().state != ReplayState::Playing;
-    if (!rests && readouts_.isValid() && readouts_.elapsed() < readout_interval_ms) return;
+    if (!rests && !options_.unhurried && readouts_.isValid() && readouts_.elapsed() < readout_interval_ms) return;
     readouts_.start();
     status_->showScene(*scene);
     tracks_->setParams(bridge_.params().tracker);

@@ -59,6 +59,7 @@ public:
         bool play_on_open = true;
         QString language;            ///< "en", "zh"; empty: as last time, or the computer's
         bool steady_alerts = false;  ///< nothing flashes
+        bool unhurried = false;      ///< every readout follows every scene, however fast they come
         LiveAccess live;
         std::vector<LibraryNotice> libraries;  ///< for the manual's page of versions and licences
     };
@@ -162,7 +163,9 @@ private:
     void makeParametersMenu();
     void makeWindowMenu();
     void makeHelpMenu();
-    QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& key, std::function<void()> act);
+    /// `tip`: what it does, in the foot of the window while the menu is open.
+    QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& key, const QString& tip,
+                       std::function<void()> act);
     void fillRecentMenu();
 
     void askForRecording();
@@ -176,6 +179,7 @@ private:
     void showSector();
     void commandSector(const CommandedSector& sector);
     void onOpened();
+    void nameSource();
     void onLive(const LiveState& state);
     void tellRecorded();
     void onScene(const std::shared_ptr<const Scene>& scene);

@@ -26,6 +26,7 @@ void MainWindow::makeAlerts() {
     connect(alerts_panel_, &AlertsPanel::summaryChanged, this,
             [this](const QString& summary) { setSummary(alerts_dock_, summary); });
     connect(alerts_, &AlertCentre::changed, this, &MainWindow::showAlerts);
+    Q_EMIT alerts_->changed();
     connect(alerts_, &AlertCentre::flashed, this, &MainWindow::showAlerts);
     connect(alerts_, &AlertCentre::noticed, this, &MainWindow::say);
     connect(&bridge_, &PipelineBridge::opened, alerts_, &AlertCentre::showNothing);
@@ -40,25 +41,22 @@ void MainWindow::makeAlerts() {
 
 void MainWindow::makeAlertsMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Alerts"));
-    addAction(menu, tr("&Acknowledge"), QKeySequence("A"), [this] {
-        alerts_->acknowledgeMostUrgent();
-    })->setStatusTip(tr("Acknowledges the alert at the top of the list"));
-    addAction(menu, tr("&Silence for 30 s"), QKeySequence("Shift+A"), [this] {
-        alerts_->silence();
-    })->setStatusTip(tr("No sound for 30 s, unless something new is raised"));
+    addAction(menu, tr("&Acknowledge"), QKeySequence("A"), tr("Acknowledges the alert at the top of the list"),
+              [this] { alerts_->acknowledgeMostUrgent(); });
+    addAction(menu, tr("&Silence for 30 s"), QKeySequence("Shift+A"),
+              tr("No sound for 30 s, unless something new is raised"), [this] { alerts_->silence(); });
     menu.addSeparator();
-    QAction* steady = menu.addAction(tr("&No flashing"));
-    steady->setStatusTip(tr("Alerts that ask for you are shown filled instead of flashing"));
+    QAction* steady = addAction(menu, tr("&No flashing"), {},
+                                tr("Alerts that ask for you are shown filled instead of flashing"), [this] {
+                                    alerts_->setSteady(!alerts_->isSteady());
+                                    if (options_.remember) QSettings().setValue(steady_setting, alerts_->isSteady());
+                                });
     steady->setCheckable(true);
     steady->setChecked(alerts_->isSteady());
-    connect(steady, &QAction::toggled, this, [this](bool on) {
-        alerts_->setSteady(on);
-        if (options_.remember) QSettings().setValue(steady_setting, on);
-    });
-    addAction(menu, tr("&List"), QKeySequence("Ctrl+Shift+A"), [this] {
+    addAction(menu, tr("&List"), QKeySequence("Ctrl+Shift+A"), tr("Brings the list of alerts to the front"), [this] {
         alerts_dock_->show();
         alerts_dock_->raise();
-    })->setStatusTip(tr("Brings the list of alerts to the front"));
+    });
 }
 
 void MainWindow::showAlerts() {

@@ -49,21 +49,20 @@ void MainWindow::addDockKeys(QMenu& menu) {
     const auto bring = [&](const QString& text, const QKeySequence& key, QDockWidget* dock, QDockWidget* other,
                            const QString& tip) {
         // The same key goes back to what shares the place.
-        QAction* action = addAction(menu, text, key, [dock, other] {
+        addAction(menu, text, key, tip, [dock, other] {
             const bool in_front = dock->isVisible() && !dock->visibleRegion().isEmpty();
             QDockWidget* next = in_front ? other : dock;
             next->show();
             next->raise();
         });
-        action->setStatusTip(tip);
     };
     bring(tr("&Beam to the front"), QKeySequence("B"), beam_dock_, time_line_dock_,
           tr("Level over range of the beam under the cursor, with the detection threshold"));
     bring(tr("&Plan to the front"), QKeySequence("P"), plan_dock_, tracks_dock_,
           tr("Paths of the vehicle and the tracks from above, north up"));
-    QAction* save = addAction(menu, tr("&Export the plan…"), QKeySequence("Ctrl+E"), [this] { exportPlan(); });
-    save->setStatusTip(tr("Write the paths as CSV, or the plan as a PNG picture"));
-    need_source_.push_back(save);
+    need_source_.push_back(addAction(menu, tr("&Export the plan…"), QKeySequence("Ctrl+E"),
+                                     tr("Write the paths as CSV, or the plan as a PNG picture"),
+                                     [this] { exportPlan(); }));
 }
 
 void MainWindow::exportPlan() {

@@ -44,21 +44,20 @@ void MainWindow::makeChartDock() {
 void MainWindow::makeChartMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Chart"));
     const auto add = [&](const QString& text, const QKeySequence& key, const QString& tip, std::function<void()> act) {
-        QAction* action = addAction(menu, text, key, std::move(act));
-        action->setStatusTip(tip);
+        QAction* action = addAction(menu, text, key, tip, std::move(act));
         need_source_.push_back(action);
         return action;
     };
-    const auto toggle = [this] {
-        fan_->setMeasuring(!fan_->measures());
-        if (fan_->measures())
-            say(tr("Click two places, or drag from one to the other; Esc puts the measure away."), true);
-    };
-    QAction* measure = add(tr("&Measure"), {}, tr("Range and bearing from one place to another: drag, or click both"),
-                           toggle);
-    measure->setShortcuts({QKeySequence("M"), QKeySequence("F4")});
+    QAction* measure = add(tr("Mea&sure"), QKeySequence("F4"),
+                           tr("Range and bearing from one place to another: drag, or click both"), [this] {
+                               fan_->setMeasuring(!fan_->measures());
+                               if (fan_->measures())
+                                   say(tr("Click two places, or drag from one to the other; Esc puts the measure away."),
+                                       true);
+                           });
     followFan(*measure, [](const FanView& fan) { return fan.measures(); });
-    add(tr("Mar&k"), QKeySequence("K"), tr("Mark the place under the cursor, else the target"), [this] { setMark(); });
+    add(tr("&Mark"), QKeySequence("M"), tr("Mark the moment and the place under the cursor, else the target"),
+        [this] { setMark(); });
     menu.addSeparator();
     add(tr("&Guard zone…"), QKeySequence("G"), tr("Draw a zone that confirmed tracks are told of in"),
         [this] { drawArea(Area::Kind::Guard); });
@@ -78,25 +77,23 @@ void MainWindow::makeChartMenu() {
 void MainWindow::makeOrientationMenu(QMenu& menu) {
     auto* orientation = new QActionGroup(&menu);
     const auto orient = [&](const QString& title, Orientation which) {
-        auto* action = addAction(menu, title, {}, [this, which] { fan_->setOrientation(which); });
+        auto* action = addAction(menu, title, {}, tr("Turn the fan; where an input is missing the fan says which"),
+                                 [this, which] { fan_->setOrientation(which); });
         action->setActionGroup(orientation);
-        action->setStatusTip(tr("Turn the fan; where an input is missing the fan says which"));
         followFan(*action, [which](const FanView& fan) { return fan.orientation() == which; });
     };
     orient(tr("&Head up"), Orientation::HeadUp);
     orient(tr("North &up"), Orientation::NorthUp);
     orient(tr("&Course up"), Orientation::CourseUp);
-    auto* next = addAction(menu, tr("Ne&xt orientation"), QKeySequence("N"), [this] {
+    addAction(menu, tr("Ne&xt orientation"), QKeySequence("N"), tr("Head up, north up, course up in turn"), [this] {
         const Orientation now = fan_->orientation();
         fan_->setOrientation(now == Orientation::HeadUp    ? Orientation::NorthUp
                              : now == Orientation::NorthUp ? Orientation::CourseUp
                                                            : Orientation::HeadUp);
     });
-    next->setStatusTip(tr("Head up, north up, course up in turn"));
     menu.addSeparator();
-    auto* centre =
-        addAction(menu, tr("O&ff-centre to the cursor"), QKeySequence("O"), [this] { fan_->centreOnCursor(); });
-    centre->setStatusTip(tr("Move what is under the cursor into the middle; 0 takes it back"));
+    addAction(menu, tr("Off-centre &to the cursor"), QKeySequence("O"),
+              tr("Move what is under the cursor into the middle; 0 takes it back"), [this] { fan_->centreOnCursor(); });
 }
 
 /// One undo for whatever was done last: a parameter or something drawn.
@@ -108,10 +105,10 @@ void MainWindow::addUndo(QMenu& menu) {
         }
         parameters_->model().undoStack().setActive();
     }
-    auto* undo = addAction(menu, tr("&Undo"), QKeySequence("Ctrl+Z"), [this] { undo_.undo(); });
-    auto* redo = addAction(menu, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), [this] { undo_.redo(); });
-    undo->setStatusTip(tr("Take back the last change of a parameter, a mark or an area"));
-    redo->setStatusTip(tr("Do again what was taken back"));
+    auto* undo = addAction(menu, tr("&Undo"), QKeySequence("Ctrl+Z"),
+                           tr("Take back the last change of a parameter, a mark or an area"), [this] { undo_.undo(); });
+    auto* redo = addAction(menu, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), tr("Do again what was taken back"),
+                           [this] { undo_.redo(); });
     undo->setEnabled(undo_.canUndo());
     redo->setEnabled(undo_.canRedo());
     connect(&undo_, &QUndoGroup::canUndoChanged, undo, &QAction::setEnabled);

@@ -70,17 +70,16 @@ void MainWindow::makeHelp() {
 
 void MainWindow::makeHelpMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Help"));
-    addAction(menu, tr("&Manual"), QKeySequence("F1"), [this] {
-        helpHere();
-    })->setStatusTip(tr("Opens it at what the mouse points at, or at what has the focus"));
-    addAction(menu, tr("&Keyboard shortcuts"), QKeySequence("?"), [this] { shortcuts_->toggle(); });
-    addAction(menu, tr("&Tour"), {}, [this] {
+    addAction(menu, tr("&Manual"), QKeySequence("F1"),
+              tr("Opens it at what the mouse points at, or at what has the focus"), [this] { helpHere(); });
+    addAction(menu, tr("&Keyboard shortcuts"), QKeySequence("?"), tr("All keys on one sheet; Esc puts it away"),
+              [this] { shortcuts_->toggle(); });
+    addAction(menu, tr("&Tour"), {}, tr("The three steps of the first start, on the demonstration"), [this] {
         openDemonstration();
         showTour();
-    })->setStatusTip(tr("The three steps of the first start, on the demonstration"));
-    addAction(menu, tr("&About"), {}, [this] {
-        showManual("about");
-    })->setStatusTip(tr("Versions and licences of Echotrail and its libraries"));
+    });
+    addAction(menu, tr("&About"), {}, tr("Versions and licences of Echotrail and its libraries"),
+              [this] { showManual("about"); });
 }
 
 void MainWindow::helpHere() {

@@ -13,6 +13,7 @@
 #include <QLocale>
 #include <QMenuBar>
 #include <QSettings>
+#include <QToolBar>
 
 namespace echotrail {
 namespace {
@@ -37,7 +38,8 @@ void MainWindow::setLanguage(Language language) {
 void MainWindow::makeLanguageMenu(QMenu& menu) {
     auto* group = new QActionGroup(&menu);
     for (const Language language : {Language::English, Language::Chinese}) {
-        QAction* action = addAction(menu, languageTitle(language), {}, [this, language] { setLanguage(language); });
+        QAction* action = addAction(menu, languageTitle(language), {}, tr("Language of all texts, changed at once"),
+                                    [this, language] { setLanguage(language); });
         action->setCheckable(true);
         action->setChecked(language == currentLanguage());
         action->setActionGroup(group);
@@ -68,7 +70,8 @@ void MainWindow::retranslate() {
     layers_dock_->setWidget(new UprightScroll(layers_, this));
     if (bridge_.scene()) layers_->setScene(*bridge_.scene());
     onStatus(bridge_.status());
-    showTracker(bridge_.liveState());
+    if (bridge_.isOpen()) nameSource();
+    if (bridge_.isLive()) onLive(bridge_.liveState());
     showAlerts();
 }
 
@@ -86,6 +89,7 @@ void MainWindow::nameDocks() {
     tour_dock_->setWindowTitle(tr("Tour"));
     keys_->setText(tr("Space play   ← → 5 s   Shift one sweep   Ctrl one ping   , . speed   ? shortcuts"));
     if (!bridge_.isOpen()) foot_->setText(tr("No source open"));
+    findChild<QToolBar*>("status")->setWindowTitle(tr("Status"));
 }
 
 }  // namespace echotrail

@@ -22,6 +22,7 @@ void MainWindow::makeConnectionDock() {
     connect(connection_, &ConnectionPanel::headEdited, parameters_, &ParameterPanel::enter);
     connect(connection_, &ConnectionPanel::summaryChanged, this,
             [this](const QString& summary) { setSummary(connection_dock_, summary); });
+    connection_->showOpen();
     connect(&bridge_, &PipelineBridge::connectFailed, this,
             [this](const QString& reason) { say(tr("Not connected: %1.").arg(reason), false); });
     connect(fan_, &FanView::sectorChosen, this, &MainWindow::commandSector);
@@ -33,16 +34,22 @@ void MainWindow::makeConnectionDock() {
 
 void MainWindow::makeSonarMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Sonar"));
-    addAction(menu, tr("&Connect…"), QKeySequence("Ctrl+L"), [this] { askForHead(); })->setEnabled(bridge_.canGoLive());
+    addAction(menu, tr("&Connect…"), QKeySequence("Ctrl+L"),
+              tr("To a sonar head by a serial port, TCP or UDP; its address is typed in the panel Sonar"),
+              [this] { askForHead(); })
+        ->setEnabled(bridge_.canGoLive());
     QMenu& simulated = *menu.addMenu(tr("Connect to a &simulated head"));
     simulated.setToolTipsVisible(true);
     simulated.setEnabled(bridge_.canGoLive() && !bridge_.simulatedHeads().isEmpty());
     for (const SimulatedHeadChoice& head : bridge_.simulatedHeads())
-        addAction(simulated, head.title, {}, [this, address = head.address] {
+        addAction(simulated, head.title, {}, head.description, [this, address = head.address] {
             connection_->connectTo(address, {}, connection_->records());
         })->setToolTip(head.description);
-    edit_sector_ = addAction(menu, tr("Set the &sector on the fan"), QKeySequence("E"), [this] { fan_->editSector(); });
-    disconnect_ = addAction(menu, tr("&Disconnect"), {}, [this] { bridge_.close(); });
+    edit_sector_ = addAction(menu, tr("Set the s&ector on the fan"), QKeySequence("E"),
+                             tr("Move its edges with the arrow keys; Enter commands the head, Esc gives up"),
+                             [this] { fan_->editSector(); });
+    disconnect_ = addAction(menu, tr("&Disconnect"), {}, tr("Ends the live run; its recording is closed"),
+                            [this] { bridge_.close(); });
     makeTrackerMenu(menu);
 }
 

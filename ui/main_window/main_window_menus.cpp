@@ -53,8 +53,10 @@ void MainWindow::makeMenus() {
     makeHelpMenu();
 }
 
-QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySequence& key, std::function<void()> act) {
+QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySequence& key, const QString& tip,
+                               std::function<void()> act) {
     auto* action = menu.addAction(text);
+    action->setStatusTip(tip);
     action->setShortcut(key);
     connect(action, &QAction::triggered, this, std::move(act));
     return action;
@@ -62,42 +64,53 @@ QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySeque
 
 void MainWindow::makeFileMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&File"));
-    addAction(menu, tr("&Open recording…"), QKeySequence::Open, [this] { askForRecording(); });
+    addAction(menu, tr("&Open recording…"), QKeySequence::Open,
+              tr("Plays an .echotrail log, a Seanet Pro .V4LOG or a raw .bin; the file is only read"),
+              [this] { askForRecording(); });
     recent_menu_ = menu.addMenu(tr("Open &recent"));
     connect(recent_menu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
-    addAction(menu, tr("Open the &last one again"), QKeySequence("Ctrl+Shift+O"), [this] { openLast(); });
-    addAction(menu, tr("&Demonstration"), QKeySequence("Ctrl+D"), [this] { openDemonstration(); });
-    need_recording_.push_back(
-        addAction(menu, tr("&Close recording"), QKeySequence("Ctrl+W"), [this] { bridge_.close(); }));
+    addAction(menu, tr("Open the &last one again"), QKeySequence("Ctrl+Shift+O"),
+              tr("The recording that was opened most recently"), [this] { openLast(); });
+    addAction(menu, tr("&Demonstration"), QKeySequence("Ctrl+D"),
+              tr("A simulated approach with the tracker running; nothing is connected or sent"),
+              [this] { openDemonstration(); });
+    need_recording_.push_back(addAction(menu, tr("&Close recording"), QKeySequence("Ctrl+W"),
+                                        tr("Back to the start page"), [this] { bridge_.close(); }));
     menu.addSeparator();
-    addAction(menu, tr("Picture of the &window"), QKeySequence("S"), [this] { takeScreenshot(false); });
-    addAction(menu, tr("Picture of the &fan"), QKeySequence("W"), [this] { takeScreenshot(true); });
+    addAction(menu, tr("Picture of the &window"), QKeySequence("S"), tr("Written as PNG to your folder of pictures"),
+              [this] { takeScreenshot(false); });
+    addAction(menu, tr("Picture of the &fan"), QKeySequence("W"), tr("Written as PNG to your folder of pictures"),
+              [this] { takeScreenshot(true); });
     menu.addSeparator();
-    addAction(menu, tr("&Quit"), QKeySequence("Ctrl+Q"), [this] { close(); });
+    addAction(menu, tr("&Quit"), QKeySequence("Ctrl+Q"), tr("Ends a live run cleanly and keeps the layout"),
+              [this] { close(); });
 }
 
 void MainWindow::fillRecentMenu() {
     recent_menu_->clear();
     for (const QString& path : recentRecordings())
-        recent_menu_->addAction(QFileInfo(path).fileName(), this, [this, path] { openRecording(path); })
-            ->setToolTip(path);
-    if (recent_menu_->isEmpty()) recent_menu_->addAction(tr("none"))->setEnabled(false);
+        addAction(*recent_menu_, QFileInfo(path).fileName(), {}, path, [this, path] { openRecording(path); });
+    if (recent_menu_->isEmpty())
+        addAction(*recent_menu_, tr("none"), {}, tr("No recording was opened before"), [] {})->setEnabled(false);
 }
 
 void MainWindow::makeViewMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&View"));
-    addAction(menu, tr("Day, dusk, &night"), QKeySequence("F5"), [this] { nextTheme(); });
+    addAction(menu, tr("Day, dusk, &night"), QKeySequence("F5"),
+              tr("The next palette; never from night to day at once"), [this] { nextTheme(); });
     makeLanguageMenu(*menu.addMenu(tr("Lan&guage")));
     menu.addSeparator();
     makeLayersMenu(*menu.addMenu(tr("&Layers")));
     makeOrientationMenu(menu);
     menu.addSeparator();
-    auto* follow =
-        addAction(menu, tr("F&ollow the vehicle"), QKeySequence("F2"), [this] { fan_->setFollow(!fan_->follows()); });
+    auto* follow = addAction(menu, tr("F&ollow the vehicle"), QKeySequence("F2"),
+                             tr("The vehicle keeps its place on the screen; else the ground does"),
+                             [this] { fan_->setFollow(!fan_->follows()); });
     followFan(*follow, [](const FanView& fan) { return fan.follows(); });
-    addAction(menu, tr("Fit the &picture"), QKeySequence("0"), [this] { fan_->resetView(); });
+    addAction(menu, tr("Fit the &picture"), QKeySequence("0"), tr("The whole sector, in the middle"),
+              [this] { fan_->resetView(); });
     menu.addSeparator();
-    addAction(menu, tr("&Full screen"), QKeySequence("F11"),
+    addAction(menu, tr("&Full screen"), QKeySequence("F11"), tr("The window fills the screen; the same key goes back"),
               [this] { isFullScreen() ? showNormal() : showFullScreen(); });
 }
 
@@ -121,7 +134,7 @@ void MainWindow::makeLayersMenu(QMenu& menu) {
         {tr("Target ×4"), &Layers::inset},
     };
     for (const auto& [title, layer] : layers) {
-        auto* action = addAction(menu, title, {}, [this, layer = layer] {
+        auto* action = addAction(menu, title, {}, tr("Shows or hides it on the fan"), [this, layer = layer] {
             Layers changed = fan_->layers();
             changed.*layer = !(changed.*layer);
             fan_->setLayers(changed);
@@ -140,8 +153,7 @@ void MainWindow::followFan(QAction& action, std::function<bool(const FanView&)> 
 void MainWindow::makeTrackMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Track"));
     const auto add = [&](const QString& text, const QKeySequence& key, const QString& tip, std::function<void()> act) {
-        need_source_.push_back(addAction(menu, text, key, std::move(act)));
-        need_source_.back()->setStatusTip(tip);
+        need_source_.push_back(addAction(menu, text, key, tip, std::move(act)));
     };
     add(tr("&Designate the selected one"), QKeySequence("Ctrl+Return"),
         tr("Makes the track that is selected in the list the target"), [this] { tracks_->designateSelected(); });
@@ -167,53 +179,67 @@ void MainWindow::dropTrack(int id, double range_m, Bearing from_bow) {
 
 void MainWindow::makeRecordingMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Recording"));
-    const auto add = [&](const QString& text, const QKeySequence& key, std::function<void()> act) {
-        need_recording_.push_back(addAction(menu, text, key, std::move(act)));
+    const auto add = [&](const QString& text, const QKeySequence& key, const QString& tip, std::function<void()> act) {
+        need_recording_.push_back(addAction(menu, text, key, tip, std::move(act)));
     };
-    add(tr("&Play or pause"), QKeySequence(Qt::Key_Space), [this] { bridge_.togglePlay(); });
+    const auto jump = [&](const QString& text, const QKeySequence& key, std::function<void()> act) {
+        add(text, key, tr("Goes there, with the tracks as they were then"), std::move(act));
+    };
+    add(tr("&Play or pause"), QKeySequence(Qt::Key_Space), tr("Plays on from here; at the end from the start"),
+        [this] { bridge_.togglePlay(); });
     menu.addSeparator();
-    add(tr("5 s &back"), QKeySequence(Qt::Key_Left), [this] { bridge_.skipSeconds(-arrow_seconds); });
-    add(tr("5 s &on"), QKeySequence(Qt::Key_Right), [this] { bridge_.skipSeconds(arrow_seconds); });
-    add(tr("One sweep back"), QKeySequence("Shift+Left"), [this] { bridge_.stepSweep(-1); });
-    add(tr("One sweep on"), QKeySequence("Shift+Right"), [this] { bridge_.stepSweep(1); });
-    add(tr("One ping back"), QKeySequence("Ctrl+Left"), [this] { bridge_.stepPings(-1); });
-    add(tr("One ping on"), QKeySequence("Ctrl+Right"), [this] { bridge_.stepPings(1); });
-    add(tr("To the &start"), QKeySequence(Qt::Key_Home), [this] { bridge_.seekPosition(0); });
-    add(tr("To the &end"), QKeySequence(Qt::Key_End), [this] { bridge_.seekPosition(bridge_.status().total); });
+    jump(tr("5 s &back"), QKeySequence(Qt::Key_Left), [this] { bridge_.skipSeconds(-arrow_seconds); });
+    jump(tr("5 s &on"), QKeySequence(Qt::Key_Right), [this] { bridge_.skipSeconds(arrow_seconds); });
+    jump(tr("One sweep back"), QKeySequence("Shift+Left"), [this] { bridge_.stepSweep(-1); });
+    jump(tr("One sweep on"), QKeySequence("Shift+Right"), [this] { bridge_.stepSweep(1); });
+    jump(tr("One ping back"), QKeySequence("Ctrl+Left"), [this] { bridge_.stepPings(-1); });
+    jump(tr("One ping on"), QKeySequence("Ctrl+Right"), [this] { bridge_.stepPings(1); });
+    jump(tr("To the &start"), QKeySequence(Qt::Key_Home), [this] { bridge_.seekPosition(0); });
+    jump(tr("To the &end"), QKeySequence(Qt::Key_End), [this] { bridge_.seekPosition(bridge_.status().total); });
     menu.addSeparator();
-    add(tr("S&lower"), QKeySequence(","), [this] { transport_->changeSpeed(-1); });
-    add(tr("&Faster"), QKeySequence("."), [this] { transport_->changeSpeed(1); });
+    add(tr("S&lower"), QKeySequence(","), tr("Fewer seconds of the recording per second"),
+        [this] { transport_->changeSpeed(-1); });
+    add(tr("&Faster"), QKeySequence("."), tr("More seconds of the recording per second; no ping is left out"),
+        [this] { transport_->changeSpeed(1); });
 }
 
 void MainWindow::makeParametersMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Parameters"));
     ParameterForm& form = parameters_->form();
-    addAction(menu, tr("&Find…"), QKeySequence("Ctrl+F"), [this, &form] {
-        parameters_dock_->show();
-        parameters_dock_->raise();
-        form.focusSearch();
-    });
+    addAction(menu, tr("&Find…"), QKeySequence("Ctrl+F"), tr("By any part of its name or of what it does"),
+              [this, &form] {
+                  parameters_dock_->show();
+                  parameters_dock_->raise();
+                  form.focusSearch();
+              });
     menu.addSeparator();
     addUndo(menu);
     menu.addSeparator();
-    addAction(menu, tr("Star the selected &one"), QKeySequence("Ctrl+B"), [&form] {
-        form.toggleFavourite();
-    })->setStatusTip(tr("Makes it a favourite, or no longer"));
-    addAction(menu, tr("&Load set…"), {}, [&form] { form.loadFile(); });
-    addAction(menu, tr("&Save set…"), {}, [&form] { form.saveFile(); });
+    addAction(menu, tr("Star the selected &one"), QKeySequence("Ctrl+B"), tr("Makes it a favourite, or no longer"),
+              [&form] { form.toggleFavourite(); });
+    addAction(menu, tr("&Load set…"), {}, tr("All parameters of a TOML file, in one step that can be undone"),
+              [&form] { form.loadFile(); });
+    addAction(menu, tr("&Save set…"), {}, tr("All parameters as a TOML file that echotrail reads, too"),
+              [&form] { form.saveFile(); });
     menu.addSeparator();
-    addAction(menu, tr("Selected one to its &default, or as compared"), {}, [&form] { form.resetRow(); });
-    addAction(menu, tr("&All to their defaults, or as compared"), {}, [this] { parameters_->model().resetAll(); });
+    addAction(menu, tr("Selected one to its &default, or as compared"), {},
+              tr("Can be undone like every change of a parameter"), [&form] { form.resetRow(); });
+    addAction(menu, tr("&All to their defaults, or as compared"), {},
+              tr("Can be undone like every change of a parameter"), [this] { parameters_->model().resetAll(); });
 }
 
 void MainWindow::makeWindowMenu() {
     QMenu& menu = *menuBar()->addMenu(tr("&Window"));
     makeRoleMenu(menu);
     menu.addSeparator();
-    for (QDockWidget* dock : docks()) menu.QWidget::addAction(dock->toggleViewAction());
+    for (QDockWidget* dock : docks()) {
+        dock->toggleViewAction()->setStatusTip(tr("Shows or hides this panel"));
+        menu.QWidget::addAction(dock->toggleViewAction());
+    }
     addDockKeys(menu);
     menu.addSeparator();
-    addAction(menu, tr("&Reset layout"), {}, [this] { resetLayout(); });
+    addAction(menu, tr("&Reset layout"), {}, tr("Every panel back to where it was on the first day"),
+              [this] { resetLayout(); });
 }
 
 void MainWindow::askForRecording() {

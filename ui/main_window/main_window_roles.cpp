@@ -66,8 +66,7 @@ void MainWindow::makeRoleMenu(QMenu& menu) {
     auto* group = new QActionGroup(&menu);
     for (int i = 0; i < role_count; ++i) {
         QAction* action = addAction(menu, role_tabs_->tabText(i), QKeySequence(QStringLiteral("Ctrl+%1").arg(i + 1)),
-                                    [this, i] { setRole(static_cast<Role>(i)); });
-        action->setStatusTip(role_tabs_->tabToolTip(i));
+                                    role_tabs_->tabToolTip(i), [this, i] { setRole(static_cast<Role>(i)); });
         action->setCheckable(true);
         action->setChecked(i == static_cast<int>(role_));
         action->setActionGroup(group);

@@ -21,19 +21,20 @@ constexpr auto last_tracker = "last_tracker";
 
 void MainWindow::makeTrackerMenu(QMenu& menu) {
     menu.addSeparator();
-    addAction(menu, tr("Connect to &tracker…"), QKeySequence("Ctrl+T"), [this] {
-        askForTracker();
-    })->setEnabled(bridge_.canFollow());
-    const auto add = [&](const QString& text, TrackerControl action) {
-        QAction* entry = addAction(menu, text, {}, [this, action] { bridge_.control(action); });
+    addAction(menu, tr("Connect to &tracker…"), QKeySequence("Ctrl+T"),
+              tr("Follows a tracker aboard: what it sees is shown here"), [this] { askForTracker(); })
+        ->setEnabled(bridge_.canFollow());
+    const auto add = [&](const QString& text, TrackerControl action, const QString& tip) {
+        QAction* entry = addAction(menu, text, {}, tip, [this, action] { bridge_.control(action); });
         entry->setEnabled(false);
         control_actions_.emplace_back(entry, action);
     };
-    add(tr("&Ask for control"), TrackerControl::Ask);
-    add(tr("&Give control"), TrackerControl::Give);
-    add(tr("&Keep control"), TrackerControl::Keep);
-    add(tr("Ta&ke control"), TrackerControl::Take);
-    recordings_aboard_ = addAction(menu, tr("&Recordings aboard…"), {}, [this] { showRecordings(); });
+    add(tr("&Ask for control"), TrackerControl::Ask, tr("Whoever commands the tracker is asked to give control"));
+    add(tr("&Give control"), TrackerControl::Give, tr("To the console that asks, else to nobody"));
+    add(tr("&Keep control"), TrackerControl::Keep, tr("The console that asks is told no"));
+    add(tr("Take contr&ol"), TrackerControl::Take, tr("From a holder that has not answered for 15 s"));
+    recordings_aboard_ = addAction(menu, tr("&Recordings aboard…"), {},
+                                   tr("Those of the tracker, to be fetched beside the picture"), [this] { showRecordings(); });
     recordings_aboard_->setObjectName("recordings_aboard");
     recordings_aboard_->setEnabled(false);
 }

@@ -1,5 +1,6 @@
 #include "ui/main_window/message_strip.hpp"
 
+#include "ui/language/language.hpp"
 #include "ui/style/palette.hpp"
 
 #include <QHBoxLayout>
@@ -25,6 +26,7 @@ MessageStrip::MessageStrip(QWidget* parent) : QFrame(parent) {
         if (busy_) Q_EMIT cancelled();
         clear();
     });
+    inEveryLanguage(this, [this] { nameButton(); });
     hide();
 }
 
@@ -32,7 +34,7 @@ void MessageStrip::say(Kind kind, const QString& text) {
     kind_ = kind;
     busy_ = false;
     label_->setText(text);
-    button_->setText(tr("Close"));
+    nameButton();
     setAccessibleName(text);
     show();
     update();
@@ -41,8 +43,10 @@ void MessageStrip::say(Kind kind, const QString& text) {
 void MessageStrip::sayBusy(const QString& text) {
     say(Kind::Notice, text);
     busy_ = true;
-    button_->setText(tr("Cancel"));
+    nameButton();
 }
+
+void MessageStrip::nameButton() { button_->setText(busy_ ? tr("Cancel") : tr("Close")); }
 
 void MessageStrip::clear() {
     busy_ = false;

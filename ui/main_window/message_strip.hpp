@@ -29,6 +29,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void nameButton();
+
     Kind kind_ = Kind::Notice;
     QLabel* label_ = nullptr;
     QPushButton* button_ = nullptr;

@@ -1,5 +1,6 @@
 #include "ui/main_window/shortcuts_overlay.hpp"
 
+#include "ui/language/language.hpp"
 #include "ui/style/palette.hpp"
 
 #include <QEvent>
@@ -29,8 +30,8 @@ constexpr std::array<std::pair<const char*, const char*>, 41> keys{{
     {"Shift A", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "silence alerts for 30 s")},
     {"+ − wheel", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "zoom the fan; 0 fits it again")},
     {"F2", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "follow the vehicle")},
-    {"M F4", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "measure between two places")},
-    {"K", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "mark the place under the cursor")},
+    {"F4", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "measure between two places")},
+    {"M", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "mark the moment and the place under the cursor")},
     {"G V", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "draw a guard zone, a veto area")},
     {"N", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "head up, north up, course up in turn")},
     {"O", QT_TRANSLATE_NOOP("echotrail::ShortcutsOverlay", "off-centre: the cursor's place to the middle")},
@@ -59,7 +60,7 @@ constexpr std::array<std::pair<const char*, const char*>, 41> keys{{
 
 ShortcutsOverlay::ShortcutsOverlay(QWidget* window) : QWidget(window) {
     setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(tr("Keyboard shortcuts"));
+    inEveryLanguage(this, [this] { setAccessibleName(tr("Keyboard shortcuts")); });
     window->installEventFilter(this);
     hide();
 }

@@ -1,5 +1,6 @@
 #include "ui/main_window/start_page.hpp"
 
+#include "ui/language/language.hpp"
 #include "ui/style/palette.hpp"
 
 #include <QFileInfo>
@@ -24,13 +25,17 @@ QFont scaled(QFont font, double factor, bool bold) {
 
 }  // namespace
 
-StartChoice::StartChoice(Picture picture, const QString& title, const QString& text, const QString& fact,
-                         const QString& key, QWidget* parent)
-    : QAbstractButton(parent), picture_(picture), title_(title), text_(text), key_(key) {
+StartChoice::StartChoice(Picture picture, QWidget* parent) : QAbstractButton(parent), picture_(picture) {
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setFact(fact);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
+}
+
+void StartChoice::setWords(const QString& title, const QString& text, const QString& key) {
+    title_ = title;
+    text_ = text;
+    key_ = key;
+    setFact(fact_);
 }
 
 void StartChoice::setFact(const QString& fact) {
@@ -41,6 +46,11 @@ void StartChoice::setFact(const QString& fact) {
 }
 
 QSize StartChoice::sizeHint() const { return {fontMetrics().averageCharWidth() * 78, fontMetrics().height() * 25 / 4}; }
+
+/// In a low window the fact gives way.
+QSize StartChoice::minimumSizeHint() const {
+    return {fontMetrics().averageCharWidth() * 40, fontMetrics().height() * 21 / 4};
+}
 
 void StartChoice::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
@@ -118,10 +128,13 @@ void StartChoice::paintEvent(QPaintEvent*) {
     const double title_height = 1.2 * QFontMetrics(painter.font()).height();
     painter.setFont(font());
     painter.setPen(isEnabled() ? colours.dim : colours.off);
-    painter.drawText(words.adjusted(0, title_height, 0, 0), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text_);
+    QRectF text;
+    painter.drawText(words.adjusted(0, title_height, 0, 0), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text_,
+                     &text);
     painter.setPen(isEnabled() ? colours.text : colours.off);
-    painter.drawText(words, Qt::AlignLeft | Qt::AlignBottom,
-                     fontMetrics().elidedText(fact_, Qt::ElideMiddle, static_cast<int>(words.width())));
+    if (text.bottom() + line <= words.bottom() + 1.0)
+        painter.drawText(words, Qt::AlignLeft | Qt::AlignBottom,
+                         fontMetrics().elidedText(fact_, Qt::ElideMiddle, static_cast<int>(words.width())));
     if (key_.isEmpty()) return;
     const QRectF cap(width() - key_width - 0.8 * line, (height() - 1.5 * line) / 2, key_width, 1.5 * line);
     painter.setPen(QPen(colours.strong_line, 1.0));
@@ -131,23 +144,13 @@ void StartChoice::paintEvent(QPaintEvent*) {
 }
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
-    auto* heading = new QLabel(tr("What do you want to look at?"), this);
-    heading->setFont(scaled(font(), 1.65, true));
-    demonstration_ = new StartChoice(StartChoice::Picture::Fan, tr("Demonstration"),
-                                     tr("A simulated approach at 50 m range, with the tracker running. Nothing is "
-                                        "connected or sent."),
-                                     tr("works offline"), tr("Enter"), this);
-    connect_ = new StartChoice(StartChoice::Picture::Head, tr("Connect to a sonar head"),
-                               tr("A SeaKing on a serial port, or by TCP or UDP. It scans as soon as it answers; all "
-                                  "of it is recorded."),
-                               tr("serial, TCP, UDP"), "Ctrl+L", this);
-    open_ =
-        new StartChoice(StartChoice::Picture::TimeLine, tr("Open a recording"),
-                        tr("An .echotrail log, a Seanet Pro .V4LOG or a raw .bin. Read only; or drop the file on this "
-                           "window."),
-                        tr("UTC as recorded"), "Ctrl+O", this);
-    recent_ = new StartChoice(StartChoice::Picture::List, tr("Open the last one again"),
-                              tr("The recording this console showed most recently."), {}, "Ctrl+Shift+O", this);
+    heading_ = new QLabel(this);
+    heading_->setFont(scaled(font(), 1.65, true));
+    heading_->setObjectName("on_canvas");
+    demonstration_ = new StartChoice(StartChoice::Picture::Fan, this);
+    connect_ = new StartChoice(StartChoice::Picture::Head, this);
+    open_ = new StartChoice(StartChoice::Picture::TimeLine, this);
+    recent_ = new StartChoice(StartChoice::Picture::List, this);
     connect(demonstration_, &QAbstractButton::clicked, this, &StartPage::demonstrationChosen);
     connect(connect_, &QAbstractButton::clicked, this, &StartPage::connectChosen);
     connect(open_, &QAbstractButton::clicked, this, &StartPage::openChosen);
@@ -157,14 +160,36 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout;
     column->setSpacing(fontMetrics().height() * 2 / 3);
     column->addStretch(2);
-    for (QWidget* part : std::initializer_list<QWidget*>{heading, demonstration_, connect_, open_, recent_})
+    for (QWidget* part : std::initializer_list<QWidget*>{heading_, demonstration_, connect_, open_, recent_})
         column->addWidget(part);
     column->addStretch(3);
     auto* across = new QHBoxLayout(this);
     across->addStretch(1);
     across->addLayout(column);
     across->addStretch(1);
-    setRecent({});
+    inEveryLanguage(this, [this] { nameAll(); });
+}
+
+void StartPage::nameAll() {
+    heading_->setText(tr("What do you want to look at?"));
+    demonstration_->setWords(tr("Demonstration"),
+                             tr("A simulated approach at 50 m range, with the tracker running. Nothing is "
+                                "connected or sent."),
+                             tr("Enter"));
+    demonstration_->setFact(tr("works offline"));
+    connect_->setWords(tr("Connect to a sonar head"),
+                       tr("A SeaKing on a serial port, or by TCP or UDP. It scans as soon as it answers; all "
+                          "of it is recorded."),
+                       "Ctrl+L");
+    connect_->setFact(tr("serial, TCP, UDP"));
+    open_->setWords(tr("Open a recording"),
+                    tr("An .echotrail log, a Seanet Pro .V4LOG or a raw .bin. Read only; or drop the file on this "
+                       "window."),
+                    "Ctrl+O");
+    open_->setFact(tr("UTC as recorded"));
+    recent_->setWords(tr("Open the last one again"), tr("The recording this console showed most recently."),
+                      "Ctrl+Shift+O");
+    setRecent(paths_);
 }
 
 void StartPage::setRecent(const QStringList& paths) {

@@ -3,7 +3,7 @@
 #include <QAbstractButton>
 #include <QWidget>
 
-class QVBoxLayout;
+class QLabel;
 
 namespace echotrail {
 
@@ -14,10 +14,12 @@ class StartChoice : public QAbstractButton {
 public:
     enum class Picture { Fan, Head, TimeLine, List };
 
-    StartChoice(Picture picture, const QString& title, const QString& text, const QString& fact, const QString& key,
-                QWidget* parent = nullptr);
+    explicit StartChoice(Picture picture, QWidget* parent = nullptr);
+    /// What it is called, what it is, and its key.
+    void setWords(const QString& title, const QString& text, const QString& key);
     void setFact(const QString& fact);
     QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -54,6 +56,9 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void nameAll();
+
+    QLabel* heading_ = nullptr;
     StartChoice* demonstration_ = nullptr;
     StartChoice* connect_ = nullptr;
     StartChoice* open_ = nullptr;

@@ -2,6 +2,7 @@
 
 #include "ui/alerts/alert_centre.hpp"
 #include "ui/main_window/status_chip.hpp"
+#include "ui/models/track_model.hpp"
 #include "ui/panels/transport/transport_panel.hpp"
 #include "ui/style/formatter.hpp"
 #include "ui/style/palette.hpp"
@@ -56,6 +57,9 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
     showNothing();
 }
 
+/// A tool bar takes the hint for the least: a window must not be wider for the details of the chips.
+QSize StatusBar::sizeHint() const { return {layout()->minimumSize().width(), QWidget::sizeHint().height()}; }
+
 void StatusBar::nameChips() {
     file_->setLabel(tr("FILE"));
     position_->setLabel(tr("POSITION"));
@@ -94,7 +98,7 @@ void StatusBar::setMode(Mode mode) {
     for (StatusChip* chip : {tracker_, control_}) chip->setVisible(false);  // until the state says that there is one
     // The bar is tinted then: what is dim elsewhere could not be read on it.
     for (StatusChip* chip : findChildren<StatusChip*>()) chip->setOnBright(mode == Mode::Replay);
-    rate_clock_.invalidate();
+    rate_since_.reset();
     update();
 }
 
@@ -163,8 +167,7 @@ void StatusBar::showTrack(const Scene& scene) {
         const bool fine = target->state == TrackState::Confirmed;
         const double age = secondsBetween(target->last_seen, scene.latest.time);
         track_->show(fine ? Health::Good : Health::Degraded, Formatter::trackId(target->id),
-                     QString::fromUtf8(toText(target->state).data(), static_cast<int>(toText(target->state).size())) +
-                         tr(" · seen %1 ago").arg(Formatter::age(age)));
+                     stateWord(target->state) + tr(" · seen %1 ago").arg(Formatter::age(age)));
     } else {
         track_->show(confirmed > 0 ? Health::Good : Health::Absent,
                      confirmed > 0 ? Formatter::count(confirmed) : QString(),

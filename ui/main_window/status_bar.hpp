@@ -4,8 +4,8 @@
 #include "core/runtime/scene.hpp"
 #include "ui/bridge/live_source.hpp"
 
-#include <QElapsedTimer>
 #include <QWidget>
+#include <optional>
 
 class QHBoxLayout;
 class QToolButton;
@@ -24,6 +24,7 @@ class StatusBar : public QWidget {
 public:
     explicit StatusBar(QWidget* parent = nullptr);
 
+    QSize sizeHint() const override;
     /// In the language in force.
     void nameChips();
     void showNothing();
@@ -58,7 +59,7 @@ private:
     void showSonar(const LiveState& state);
     void showHeading(const LiveState& state, double longest_gap_s);
     void showRecording(const RecorderStatus& recorder, const std::optional<RecordingCopy>& copy);
-    double pingRate(std::uint64_t pings);
+    double pingRate(const LiveState& state);
 
     Mode mode_ = Mode::Nothing;
     StatusChip* file_ = nullptr;
@@ -70,8 +71,8 @@ private:
     StatusChip* sonar_ = nullptr;
     StatusChip* heading_ = nullptr;
     StatusChip* recording_ = nullptr;
-    QElapsedTimer rate_clock_;
-    std::uint64_t rate_pings_ = 0;  ///< when it was started
+    std::optional<Timestamp> rate_since_;
+    std::uint64_t rate_pings_ = 0;  ///< there were then
     double rate_ = 0.0;
     StatusChip* pings_ = nullptr;
     StatusChip* track_ = nullptr;

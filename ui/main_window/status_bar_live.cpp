@@ -3,13 +3,15 @@
 #include "ui/panels/connection/connection_panel.hpp"
 #include "ui/style/formatter.hpp"
 
+#include <limits>
+
 namespace echotrail {
 namespace {
 
 using Health = StatusChip::Health;
 
 constexpr double old_bytes_s = 2.0;  ///< a head that scans or waits says something every second
-constexpr qint64 rate_interval_ms = 2000;
+constexpr double rate_interval_s = 2.0;
 
 /// What is wrong with the copy of the run aboard; nothing where it is as it should be.
 QString copyText(const RecordingCopy& copy) {
@@ -47,9 +49,9 @@ void StatusBar::showLink(const LiveState& state) {
 void StatusBar::showSonar(const LiveState& state) {
     const bool scanning = state.head.state == seanet::HeadState::Polling;
     const bool fresh = scanning && state.ping_age_s && *state.ping_age_s < old_bytes_s;
-    const double rate = pingRate(state.head.pings);
+    const double rate = pingRate(state);
     QStringList detail;
-    if (scanning) detail << Formatter::withUnit(rate, 1, tr("pings/s"));
+    if (fresh) detail << Formatter::withUnit(rate, 1, tr("pings/s"));
     if (state.ping_age_s) detail << ageText(state.ping_age_s);
     sonar_->show(fresh ? Health::Good : Health::Degraded, headStateTitle(state.head.state), detail.join("  "));
     sonar_->setToolTip(state.head.advice.empty() ? QString::fromStdString(state.head.head)
@@ -89,14 +91,18 @@ void StatusBar::showTracker(const std::optional<TrackerState>& tracker) {
     control_->setToolTip(tr("Who commands the tracker; ask for it, give it or keep it in the menu Sonar"));
 }
 
-/// Over two seconds: single lines come too unevenly to be read.
-double StatusBar::pingRate(std::uint64_t pings) {
-    if (!rate_clock_.isValid()) {
-        rate_clock_.start();
-        rate_pings_ = pings;
-        rate_ = 0.0;
-    } else if (rate_clock_.elapsed() >= rate_interval_ms) {
-        rate_ = 1e3 * static_cast<double>(pings - rate_pings_) / static_cast<double>(rate_clock_.restart());
+/// Over two seconds of the pings' own time: single lines come too unevenly to be read. Unknown before that.
+double StatusBar::pingRate(const LiveState& state) {
+    const std::uint64_t pings = state.head.pings;
+    const auto& last = state.run.last_ping;
+    const bool anew = !last || !rate_since_ || *last < *rate_since_ || pings < rate_pings_;
+    const double passed_s = anew ? 0.0 : secondsBetween(*rate_since_, *last);
+    if (anew)
+        rate_ = std::numeric_limits<double>::quiet_NaN();
+    else if (passed_s >= rate_interval_s)
+        rate_ = static_cast<double>(pings - rate_pings_) / passed_s;
+    if (anew || passed_s >= rate_interval_s) {
+        rate_since_ = last;
         rate_pings_ = pings;
     }
     return rate_;

@@ -18,6 +18,7 @@ QFont bold(QFont font) {
 
 StatusChip::StatusChip(QWidget* parent) : QAbstractButton(parent) {
     setFocusPolicy(Qt::TabFocus);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     show(Health::Absent, {});
 }
 
@@ -44,12 +45,22 @@ void StatusChip::setOnBright(bool on) {
     update();
 }
 
+int StatusChip::detailWidth() const {
+    return detail_.isEmpty() ? 0 : fontMetrics().averageCharWidth() + fontMetrics().horizontalAdvance(detail_);
+}
+
 QSize StatusChip::sizeHint() const {
+    const QSize least = minimumSizeHint();
+    return health_ == Health::Degraded ? least : least + QSize(detailWidth(), 0);
+}
+
+/// In a narrow window the detail gives way, unless it says what is wrong.
+QSize StatusChip::minimumSizeHint() const {
     const QFontMetrics strong(bold(font()));
-    const int space = fontMetrics().averageCharWidth();
-    int width = 4 * space + fontMetrics().horizontalAdvance(label_) + strong.horizontalAdvance(value_);
+    int width = 4 * fontMetrics().averageCharWidth() + fontMetrics().horizontalAdvance(label_) +
+                strong.horizontalAdvance(value_);
     if (health_ != Health::Plain) width += fontMetrics().height();
-    if (!detail_.isEmpty()) width += space + fontMetrics().horizontalAdvance(detail_);
+    if (health_ == Health::Degraded) width += detailWidth();
     return {width, fontMetrics().height() * 2};
 }
 
@@ -110,7 +121,7 @@ void StatusChip::paintEvent(QPaintEvent*) {
     const QColor words = health_ == Health::Alarm ? colours.panel : on_bright_ ? colours.text : colours.dim;
     write(label_, font(), words);
     write(value_, bold(font()), valueColour());
-    write(detail_, font(), words);
+    write(fontMetrics().elidedText(detail_, Qt::ElideRight, static_cast<int>(width() - x - space)), font(), words);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colours.line, 1.0));
     painter.drawLine(QPointF(width() - 0.5, 0), QPointF(width() - 0.5, height()));

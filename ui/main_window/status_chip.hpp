@@ -21,12 +21,13 @@ public:
     QString value() const { return value_; }
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return {fontMetrics().averageCharWidth() * 6, sizeHint().height()}; }
+    QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    int detailWidth() const;
     QColor valueColour() const;
     void paintMark(QPainter& painter, const QRectF& box) const;
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/runtime/scene.hpp"
+#include "ui/style/formatter.hpp"
 
 #include <QAbstractTableModel>
-#include <QHash>
 #include <QSet>
 #include <vector>
 
@@ -28,6 +28,7 @@ public:
     /// until forgetTracks().
     void setName(int id, const QString& name);
     QString name(int id) const { return names_.value(id); }
+    const TrackNames& names() const { return names_; }
     /// A muted track raises no alert. Here it is only shown.
     void setMuted(int id, bool on);
     bool isMuted(int id) const { return muted_.contains(id); }
@@ -60,7 +61,7 @@ private:
     QVariant foreground(const Row& row, int column) const;
 
     std::vector<Row> rows_;
-    QHash<int, QString> names_;
+    TrackNames names_;
     QSet<int> muted_;
     bool true_courses_ = false;
 };

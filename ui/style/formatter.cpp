@@ -98,4 +98,9 @@ QString Formatter::utc(Timestamp time) {
 
 QString Formatter::trackId(int id) { return QString("T%1").arg(id, 2, 10, QChar('0')); }
 
+QString Formatter::trackLabel(int id, const TrackNames& names) {
+    const QString name = names.value(id);
+    return name.isEmpty() ? trackId(id) : trackId(id) + " " + name;
+}
+
 }  // namespace echotrail

@@ -3,10 +3,14 @@
 #include "core/base/angles.hpp"
 #include "core/base/time.hpp"
 
+#include <QHash>
 #include <QString>
 #include <cstdint>
 
 namespace echotrail {
+
+/// The operator's own names of tracks, by id.
+using TrackNames = QHash<int, QString>;
 
 /// The one way numbers become text: decimal point, true minus, thin groups, a unit after a narrow space. A value that
 /// is not finite is unknown, and unknown is a dash, never 0.
@@ -46,6 +50,8 @@ public:
     static QString utc(Timestamp time);
     /// "T07"
     static QString trackId(int id);
+    /// "T03 buoy": with the operator's name for it, where there is one.
+    static QString trackLabel(int id, const TrackNames& names);
 };
 
 }  // namespace echotrail

@@ -49,6 +49,7 @@ QLabel#dim:disabled, QLabel#card_stale { color: @off; }
 QLabel#title { font-weight: 600; }
 QLabel#card_value, QLabel#card_stale { font-size: @15px; font-weight: 600; }
 QLabel#card_detail { color: @dim; font-size: @11px; }
+QLabel#on_canvas { color: @mark; }
 QLabel#refusal { color: @warning; }
 QLabel#staged { color: @staged; font-weight: 600; }
 QLabel#good { color: @ok; }
@@ -65,7 +66,8 @@ QHash<QString, QColor> rolesOf(const Palette& p) {
             {"field", p.field},   {"line", p.line},         {"strong_line", p.strong_line},
             {"text", p.text},     {"dim", p.dim},           {"off", p.off},
             {"accent", p.accent}, {"selected", p.selected}, {"warning", p.warning},
-            {"alarm", p.alarm},   {"staged", p.staged},     {"ok", p.ok}};
+            {"alarm", p.alarm},   {"staged", p.staged},     {"ok", p.ok},
+            {"mark", p.mark}};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QEvent>
 #include <QScrollArea>
 #include <QScrollBar>
 
@@ -17,6 +18,12 @@ public:
     QSize minimumSizeHint() const override {
         const int bar = verticalScrollBar()->sizeHint().width();
         return {widget()->minimumSizeHint().width() + bar, QScrollArea::minimumSizeHint().height()};
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();  // it may have grown wider
+        return QScrollArea::eventFilter(watched, event);
     }
 };
 

@@ -2,18 +2,16 @@
 
 #include "core/data/ping.hpp"
 #include "ui/style/formatter.hpp"
+#include "ui/views/fan_text.hpp"
 #include "ui/views/orientation.hpp"
 #include "ui/views/track_painter.hpp"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace echotrail {
 namespace {
-
-QString text(const char* source) { return QCoreApplication::translate("FanView", source); }
 
 struct UnderCursor {
     double level_db = std::numeric_limits<double>::quiet_NaN();
@@ -33,23 +31,23 @@ UnderCursor echoAt(const FanMoment& moment, const Eigen::Vector2d& place) {
 }
 
 BadgeLine measureLine(const FanMoment& moment, const Palette& p) {
-    BadgeLine line{{text("Measure "), p.graticule}};
-    if (!moment.measurement) return line << BadgeText{text("drag, or click two places"), p.mark};
+    BadgeLine line{{FanText::tr("Measure "), p.graticule}};
+    if (!moment.measurement) return line << BadgeText{FanText::tr("drag, or click two places"), p.mark};
     return line << BadgeText{measuredText(*moment.measurement, moment.geometry, headingKnown(*moment.scene)), p.mark,
                              true};
 }
 
 BadgeLine draftLine(const AreaDraft& draft, const Palette& p) {
-    const QString what = draft.kind == Area::Kind::Guard ? text("Guard zone ") : text("Veto area ");
-    const QString how = draft.corners_m.size() < 3 ? text("click its corners, Esc gives up")
-                                                   : text("Enter closes it, Backspace takes a corner back");
+    const QString what = draft.kind == Area::Kind::Guard ? FanText::tr("Guard zone ") : FanText::tr("Veto area ");
+    const QString how = draft.corners_m.size() < 3 ? FanText::tr("click its corners, Esc gives up")
+                                                   : FanText::tr("Enter closes it, Backspace takes a corner back");
     return {{what, draft.kind == Area::Kind::Guard ? p.guard : p.graticule, true}, {how, p.mark}};
 }
 
 BadgeLine sectorLine(const SectorHandles& sector, const Palette& p) {
-    const QString state =
-        sector.isHeld() ? text("Enter or let go commands, Esc gives up") : text("commanded, not confirmed");
-    return {{text("Sector "), p.graticule},
+    const QString state = sector.isHeld() ? FanText::tr("Enter or let go commands, Esc gives up")
+                                          : FanText::tr("commanded, not confirmed");
+    return {{FanText::tr("Sector "), p.graticule},
             {Formatter::number(sector.sector().width_deg, 1) + "°", p.caution, true},
             {"  " + state, p.mark}};
 }
@@ -60,7 +58,7 @@ QList<BadgeLine> placeLines(const FanMoment& moment, QPointF cursor, const Palet
     const Bearing bearing = geometry.bearingOf(cursor);
     const bool heading = headingKnown(*moment.scene);
     BadgeLine polar{
-        {text("Cursor "), p.graticule},
+        {FanText::tr("Cursor "), p.graticule},
         {Formatter::range(geometry.rangeOf(cursor)) + "  " + Formatter::relativeBearing(bearing), p.mark, true}};
     if (heading)
         polar << BadgeText{"  " + Formatter::trueBearing(bearing + geometry.heading.inRadians()), p.mark, true};
@@ -77,17 +75,17 @@ QList<BadgeLine> placeLines(const FanMoment& moment, QPointF cursor, const Palet
             {Formatter::latitude(there.latitude_rad) + "  " + Formatter::longitude(there.longitude_rad), p.mark}};
     }
     const UnderCursor echo = echoAt(moment, place);
-    lines << BadgeLine{{moment.moving ? text("stands out ") : text("level "), p.graticule},
+    lines << BadgeLine{{moment.moving ? FanText::tr("stands out ") : FanText::tr("level "), p.graticule},
                        {Formatter::withUnit(echo.level_db, 0, "dB"), p.mark},
-                       {text("  beam age "), p.graticule},
+                       {FanText::tr("  beam age "), p.graticule},
                        {Formatter::age(echo.age_s), p.mark}};
     return lines;
 }
 
 QString layerBadge(const FanMoment& moment) {
-    if (!moment.layers.echoes) return text("ECHO OFF");
-    if (moment.moving) return text("MOVING ONLY");
-    return moment.layers.enhanced && !moment.scene->enhanced.empty() ? text("ENHANCED") : text("RAW");
+    if (!moment.layers.echoes) return FanText::tr("ECHO OFF");
+    if (moment.moving) return FanText::tr("MOVING ONLY");
+    return moment.layers.enhanced && !moment.scene->enhanced.empty() ? FanText::tr("ENHANCED") : FanText::tr("RAW");
 }
 
 }  // namespace
@@ -99,7 +97,7 @@ QList<BadgeLine> cursorLines(const FanMoment& moment, const Palette& p) {
     if (moment.sector && moment.sector->areThere() && !moment.sector->isConfirmed())
         lines << sectorLine(*moment.sector, p);
     if (!moment.cursor || !moment.scene)
-        return lines << BadgeLine{{text("Cursor "), p.graticule}, {Formatter::unknown(), p.graticule}};
+        return lines << BadgeLine{{FanText::tr("Cursor "), p.graticule}, {Formatter::unknown(), p.graticule}};
     return lines << placeLines(moment, *moment.cursor, p);
 }
 
@@ -107,23 +105,24 @@ QList<BadgeLine> viewLines(const FanMoment& moment, const Palette& p) {
     const Scene& scene = *moment.scene;
     const QString missing = missingInput(scene, moment.orientation);
     QString how = orientationBadge(moment.orientation);
-    if (!moment.follow) how += "  " + text("GROUND FIXED");
-    if (moment.off_centre) how += "  " + text("OFF CENTRE");
+    if (!moment.follow) how += "  " + FanText::tr("GROUND FIXED");
+    if (moment.off_centre) how += "  " + FanText::tr("OFF CENTRE");
     BadgeLine first{{Formatter::withUnit(moment.geometry.sector.range_m, 0, "m"), p.mark, true},
                     {"  " + how + "  " + layerBadge(moment), p.mark}};
     if (std::abs(moment.zoom - 1.0) > 0.01) first << BadgeText{"  ×" + Formatter::number(moment.zoom, 1), p.mark, true};
     QList<BadgeLine> lines{first};
-    if (!missing.isEmpty()) lines << BadgeLine{{missing, p.caution, true}, {"  " + text("shown head up"), p.mark}};
+    if (!missing.isEmpty())
+        lines << BadgeLine{{missing, p.caution, true}, {"  " + FanText::tr("shown head up"), p.mark}};
     if ((moment.moving || moment.layers.trails) && !scene.remembered)
-        lines << BadgeLine{{text("Learns what lies still"), p.caution, true}, {"  " + text("wait two sweeps"), p.mark}};
+        lines << BadgeLine{{FanText::tr("Learns what lies still"), p.caution, true},
+                           {"  " + FanText::tr("wait two sweeps"), p.mark}};
     const auto dropped = std::count_if(scene.regions.begin(), scene.regions.end(), isDropped);
     if (dropped > 0)
-        lines << BadgeLine{
-            {text("FILTERS ACTIVE"), p.caution, true},
-            {"  " + QCoreApplication::translate("FanView", "%n region(s) dropped", nullptr, static_cast<int>(dropped)),
-             p.mark}};
+        lines << BadgeLine{{FanText::tr("FILTERS ACTIVE"), p.caution, true},
+                           {"  " + FanText::tr("regions dropped: %1").arg(dropped), p.mark}};
     if (scene.latest.navigation_gap)
-        lines << BadgeLine{{text("NAVIGATION GAP"), p.caution, true}, {"  " + text("tracks coast"), p.mark}};
+        lines << BadgeLine{{FanText::tr("NAVIGATION GAP"), p.caution, true},
+                           {"  " + FanText::tr("tracks coast"), p.mark}};
     return lines;
 }
 
@@ -131,14 +130,14 @@ QList<BadgeLine> sweepLines(const FanMoment& moment, const Palette& p) {
     const Scene& scene = *moment.scene;
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     QList<BadgeLine> lines{
-        {{text("Sweep "), p.graticule},
+        {{FanText::tr("Sweep "), p.graticule},
          {Formatter::age(scene.sweep_s > 0.0 ? scene.sweep_s : unknown), p.mark, true},
-         {text("  oldest beam "), p.graticule},
+         {FanText::tr("  oldest beam "), p.graticule},
          {Formatter::age(moment.ages->age_s.empty() ? unknown : moment.ages->oldest_s), p.mark, true}}};
     const auto target = std::find_if(scene.tracks.begin(), scene.tracks.end(), [](const Track& t) { return t.target; });
     if (target == scene.tracks.end()) return lines;
     const auto wait = secondsToNextLook(scene, bearingOf(*target, scene.latest.pose));
-    lines << BadgeLine{{text("Next look at %1 in ").arg(Formatter::trackId(target->id)), p.graticule},
+    lines << BadgeLine{{FanText::tr("Next look at %1 in ").arg(Formatter::trackId(target->id)), p.graticule},
                        {Formatter::age(wait.value_or(unknown)), p.track, true}};
     return lines;
 }

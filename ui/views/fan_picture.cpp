@@ -1,15 +1,14 @@
 #include "ui/views/fan_picture.hpp"
 
 #include "core/data/ping.hpp"
-#include "ui/style/formatter.hpp"
 #include "ui/views/badge_painter.hpp"
 #include "ui/views/beam_painter.hpp"
 #include "ui/views/fan_badges.hpp"
+#include "ui/views/fan_text.hpp"
 #include "ui/views/halo.hpp"
 #include "ui/views/symbol_painter.hpp"
 #include "ui/views/track_painter.hpp"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,8 +24,6 @@ constexpr double least_view_for_legend = 380.0;
 // Without its background the picture shows by how much an echo stands out.
 constexpr double moving_black_db = 3.0;
 constexpr double moving_white_db = 30.0;
-
-QString text(const char* source) { return QCoreApplication::translate("FanView", source); }
 
 /// Where echoes can be: within range, and within the sector unless the vehicle has turned since they were seen.
 QRect echoBox(const FanMoment& moment, const QRectF& view) {
@@ -100,7 +97,7 @@ void FanPicture::paintInset(QPainter& painter, const QRectF& view, double top, c
         painter.fillRect(box, palette.canvas);
     Layers layers = moment.layers;
     layers.region_of_interest = false;  // larger than the box
-    TrackPainter tracks(painter, *moment.scene, geometry, layers, palette, font);
+    TrackPainter tracks(painter, *moment.scene, geometry, layers, palette, font, moment.track_names);
     tracks.paintRegions();
     tracks.paintClouds(track->id);
     painter.setFont(metrics.sized(font, 11.0, true));
@@ -108,9 +105,10 @@ void FanPicture::paintInset(QPainter& painter, const QRectF& view, double top, c
     textWithHalo(painter, name, Formatter::trackId(track->id) + " ×4", palette.track, palette.halo);
     painter.setFont(metrics.sized(font, 10.0));
     const std::size_t particles = track->particles.weight.size();
-    const QString effective = particles > 0 ? text("ESS ") + Formatter::number(track->particles.effective, 0) + " / " +
-                                                  Formatter::count(particles)
-                                            : text("no particles");
+    const QString effective =
+        particles > 0 ? FanText::tr("ESS %1 / %2")
+                            .arg(Formatter::number(track->particles.effective, 0), Formatter::count(particles))
+                      : FanText::tr("no particles");
     textWithHalo(painter, {box.x() + edge, box.bottom() - edge}, effective, palette.mark, palette.halo);
     paintScaleBar(painter, box, geometry.px_per_m, palette, metrics);
     painter.restore();
@@ -137,7 +135,7 @@ void FanPicture::paint(QPainter& painter, const QSize& size, const FanMoment& mo
     if (!moment.scene || moment.scene->position == 0) {
         painter.fillRect(view, palette.canvas);
         painter.setPen(palette.graticule);
-        painter.drawText(view, Qt::AlignCenter, text("No echoes yet"));
+        painter.drawText(view, Qt::AlignCenter, FanText::tr("No echoes yet"));
         return;
     }
     painter.fillRect(view, palette.canvas);
@@ -151,7 +149,7 @@ void FanPicture::paint(QPainter& painter, const QSize& size, const FanMoment& mo
     painter.setRenderHint(QPainter::Antialiasing);
     if (moment.layers.graticule)
         graticule_.paint(painter, size, moment.geometry, palette, font, headingKnown(*moment.scene));
-    TrackPainter tracks(painter, *moment.scene, moment.geometry, moment.layers, palette, font);
+    TrackPainter tracks(painter, *moment.scene, moment.geometry, moment.layers, palette, font, moment.track_names);
     ChartPainter chart(painter, moment.geometry, moment.scene->latest.pose, palette, font);
     if (moment.areas) chart.paintAreas(*moment.areas, moment.layers.guard_zones, moment.layers.vetoes);
     tracks.paintRegions();

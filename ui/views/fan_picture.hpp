@@ -2,6 +2,7 @@
 
 #include "core/runtime/scene.hpp"
 #include "ui/chart/mark.hpp"
+#include "ui/style/formatter.hpp"
 #include "ui/views/beam_schedule.hpp"
 #include "ui/views/chart_painter.hpp"
 #include "ui/views/echo_painter.hpp"
@@ -37,6 +38,7 @@ struct FanMoment {
     const QList<Mark>* marks = nullptr;
     const QList<Area>* areas = nullptr;
     std::optional<AreaDraft> draft;
+    TrackNames track_names;
 };
 
 /// The picture that is shown, and how its levels become colours.

@@ -2,6 +2,7 @@
 
 #include "ui/chart/area_model.hpp"
 #include "ui/chart/mark_model.hpp"
+#include "ui/language/language.hpp"
 #include "ui/style/ui_metrics.hpp"
 #include "ui/views/orientation.hpp"
 #include "ui/views/symbol_painter.hpp"
@@ -32,7 +33,7 @@ FanView::FanView(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::BlankCursor);  // the fan has a cursor of its own that shows on every echo level
-    setAccessibleName(tr("Fan"));
+    inEveryLanguage(this, [this] { setAccessibleName(tr("Fan")); });
 }
 
 QSize FanView::sizeHint() const {
@@ -156,7 +157,13 @@ FanMoment FanView::moment() const {
     if (marks_) moment.marks = &marks_->marks();
     moment.areas = &shown_areas_;
     moment.draft = draft_;
+    moment.track_names = track_names_;
     return moment;
+}
+
+void FanView::setTrackNames(const TrackNames& names) {
+    track_names_ = names;
+    update();
 }
 
 void FanView::paintEvent(QPaintEvent*) {

@@ -70,6 +70,7 @@ public:
     /// The track whose card is open; 0: none.
     void setSelectedTrack(int id);
     int selectedTrack() const { return selected_track_; }
+    void setTrackNames(const TrackNames& names);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -128,6 +129,7 @@ private:
     bool follow_ = true;
     bool measuring_ = false;
     int selected_track_ = 0;
+    TrackNames track_names_;
 
     std::uint64_t serial_ = 0;  ///< of the scene
     BeamAges ages_;

@@ -1,15 +1,10 @@
 #include "ui/views/orientation.hpp"
 
 #include "ui/views/beam_schedule.hpp"
-
-#include <QCoreApplication>
+#include "ui/views/fan_text.hpp"
 
 namespace echotrail {
-namespace {
-
-QString text(const char* source) { return QCoreApplication::translate("FanView", source); }
-
-}  // namespace
+namespace {}  // namespace
 
 Bearing upOf(const Scene& scene, Orientation orientation) {
     const Bearing bow = scene.latest.pose.heading;
@@ -19,21 +14,22 @@ Bearing upOf(const Scene& scene, Orientation orientation) {
 
 QString missingInput(const Scene& scene, Orientation orientation) {
     if (orientation == Orientation::HeadUp) return {};
-    if (orientation == Orientation::NorthUp) return headingKnown(scene) ? QString() : text("North up needs a heading");
-    if (!headingKnown(scene)) return text("Course up needs heading and position");
-    return scene.course ? QString() : text("Course up needs a vehicle that moves");
+    if (orientation == Orientation::NorthUp)
+        return headingKnown(scene) ? QString() : FanText::tr("North up needs a heading");
+    if (!headingKnown(scene)) return FanText::tr("Course up needs heading and position");
+    return scene.course ? QString() : FanText::tr("Course up needs a vehicle that moves");
 }
 
 QString orientationBadge(Orientation orientation) {
     switch (orientation) {
         case Orientation::NorthUp:
-            return text("NORTH UP");
+            return FanText::tr("NORTH UP");
         case Orientation::CourseUp:
-            return text("COURSE UP");
+            return FanText::tr("COURSE UP");
         case Orientation::HeadUp:
             break;
     }
-    return text("HEAD UP");
+    return FanText::tr("HEAD UP");
 }
 
 }  // namespace echotrail

@@ -10,13 +10,13 @@
 namespace echotrail {
 namespace {
 
-constexpr double grip_distance = 15.0;  ///< from the outer range ring, beyond the age ring; px at scale 1
+constexpr double grip_distance = -30.0;  ///< from the outer range ring, clear of what is written at it; px at scale 1
 constexpr double grip_radius = 6.0;
 constexpr double grip_reach = 12.0;    ///< of the hand
 constexpr double edge_of_view = 14.0;  ///< grips stay this far inside
 constexpr double nearest_grip = 40.0;  ///< to the head
 
-/// Beyond the outer ring, or as far out as the view goes.
+/// Near the outer ring, or as far out as the view goes.
 QPointF gripPlace(const FanGeometry& geometry, Bearing edge, const QRectF& view, double scale) {
     const double inset = edge_of_view * scale;
     const QRectF room = view.adjusted(inset, inset, -inset, -inset);

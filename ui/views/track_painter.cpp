@@ -1,13 +1,12 @@
 #include "ui/views/track_painter.hpp"
 
-#include "ui/style/formatter.hpp"
 #include "ui/views/beam_schedule.hpp"
+#include "ui/views/fan_text.hpp"
 #include "ui/views/halo.hpp"
 #include "ui/views/symbol_painter.hpp"
 
 #include <Eigen/Eigenvalues>
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -173,7 +172,8 @@ void TrackPainter::paintClouds(int only) {
     };
     each(layers_.region_of_interest, [&](const Track& track) {
         // One box per picture says where the tracker looks; those of every track would hide the echoes.
-        if (track.target || only != 0) paintRegionOfInterest(track);
+        // Where one is lost, the box is most of the sea.
+        if ((track.target || only != 0) && track.state != TrackState::Lost) paintRegionOfInterest(track);
     });
     each(layers_.history, [&](const Track& track) { paintHistory(track); });
     each(layers_.history, [&](const Track& track) { paintPrediction(track); });
@@ -186,15 +186,14 @@ void TrackPainter::paintClouds(int only) {
 }
 
 QStringList TrackPainter::labelOf(const Track& track) const {
-    QStringList lines{Formatter::trackId(track.id)};
+    QStringList lines{Formatter::trackLabel(track.id, names_)};
     const double age = secondsBetween(track.last_seen, scene_.latest.time);
-    if (track.state == TrackState::Lost)
-        lines[0] += QCoreApplication::translate("FanView", " lost %1").arg(Formatter::age(age));
+    if (track.state == TrackState::Lost) lines[0] += FanText::tr(" lost %1").arg(Formatter::age(age));
     if (track.state == TrackState::Coasting && !track.target) lines[0] += " " + Formatter::age(age);
     if (track.target && track.state != TrackState::Lost) {
         const Pose& pose = scene_.latest.pose;
         lines << Formatter::range(rangeOf(track, pose)) + " " + Formatter::relativeBearing(bearingOf(track, pose));
-        lines << QCoreApplication::translate("FanView", "seen %1 ago").arg(Formatter::age(age));
+        lines << FanText::tr("seen %1 ago").arg(Formatter::age(age));
     }
     return lines;
 }

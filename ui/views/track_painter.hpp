@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/runtime/scene.hpp"
+#include "ui/style/formatter.hpp"
 #include "ui/style/palette.hpp"
 #include "ui/style/ui_metrics.hpp"
 #include "ui/views/fan_geometry.hpp"
@@ -15,13 +16,14 @@ namespace echotrail {
 class TrackPainter {
 public:
     TrackPainter(QPainter& painter, const Scene& scene, const FanGeometry& geometry, const Layers& layers,
-                 const Palette& palette, const QFont& font)
+                 const Palette& palette, const QFont& font, const TrackNames& names)
         : painter_(painter),
           scene_(scene),
           geometry_(geometry),
           layers_(layers),
           palette_(palette),
           font_(font),
+          names_(names),
           metrics_(font) {}
 
     void paintRegions();
@@ -45,6 +47,7 @@ private:
     const Layers& layers_;
     const Palette& palette_;
     QFont font_;
+    const TrackNames& names_;
     UiMetrics metrics_;
 };
 

@@ -51,11 +51,11 @@ protected:
         QObject::connect(&view_, &FanView::sectorChosen, [this](const CommandedSector& sector) { chosen_ << sector; });
         QObject::connect(&view_, &FanView::designated, [this] { ++designations_; });
     }
-    /// Beyond the outer ring, where a handle lies.
+    /// Near the outer ring, where a handle lies.
     QPoint at(double bearing_deg) const {
         const FanGeometry view = fitted(scene_->latest.pose, scene_->latest.pose.heading, sectorToFit(*scene_),
                                         view_.rect(), QMarginsF(44, 58, 44, 22));
-        const double range_m = sectorToFit(*scene_).range_m + 15.0 / view.px_per_m;
+        const double range_m = sectorToFit(*scene_).range_m - 30.0 / view.px_per_m;
         return view.at(range_m, Bearing::degrees(bearing_deg)).toPoint();
     }
     void drag(double from_deg, double to_deg) {

@@ -62,6 +62,39 @@ TEST_F(ConsoleProgram, TakesAPictureOfAHeadThatIsNotThereWithoutKeepingAnything)
     EXPECT_EQ(QImage(folder_.filePath("silent.png")).size(), QSize(1600, 1000));
 }
 
+TEST_F(ConsoleProgram, WatchesARecordingHeadlessAndTakesPicturesOnTheWay) {
+    const auto outcome =
+        run({"--headless", "--demonstration", "--target", "40,-25", "--screenshot-to", folder_.filePath("late.png"),
+             "--at", "30", "--screenshot-to", folder_.filePath("early.png"), "--at", "6", "--exit-at", "31"},
+            false);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors.toStdString();
+    const QImage early(folder_.filePath("early.png"));
+    const QImage late(folder_.filePath("late.png"));
+    EXPECT_EQ(early.size(), QSize(1600, 1000));
+    EXPECT_EQ(late.size(), early.size());
+    EXPECT_NE(late, early);
+}
+
+TEST_F(ConsoleProgram, AMomentPastTheEndIsExitCodeThreeWithThePictureOfTheEnd) {
+    const auto outcome =
+        run({"--headless", "--demonstration", "--screenshot-to", folder_.filePath("end.png"), "--at", "5000"});
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_TRUE(outcome.errors.contains("past the end")) << outcome.errors.toStdString();
+    EXPECT_FALSE(QImage(folder_.filePath("end.png")).isNull());
+}
+
+TEST_F(ConsoleProgram, EndsHeadlessAfterThePicturesOrWhenInterrupted) {
+    EXPECT_EQ(run({"--headless", "--exit-at", "0.1"}, false).exit_code, 0);
+    QProcess process;
+    process.start(ECHOTRAIL_CONSOLE, {"--headless", "--sonar", "simulation://demo", "--no-record"});
+    ASSERT_TRUE(process.waitForStarted());
+    EXPECT_FALSE(process.waitForFinished(2'000)) << "a head is polled until someone ends it";
+    process.terminate();
+    ASSERT_TRUE(process.waitForFinished(60'000));
+    EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+    EXPECT_EQ(process.exitCode(), 0);
+}
+
 TEST_F(ConsoleProgram, ClosesWhenToldTo) { EXPECT_EQ(run({"--demonstration", "--quit-after", "0.3"}).exit_code, 0); }
 
 TEST_F(ConsoleProgram, WrongUsageIsExitCodeTwoWithOneLine) {
@@ -69,6 +102,9 @@ TEST_F(ConsoleProgram, WrongUsageIsExitCodeTwoWithOneLine) {
                                    {"--set", "sound_speed=9"},
                                    {"--palette", "pink"},
                                    {"--at", "3"},
+                                   {"--screenshot-to", "a.png", "--at", "1", "--screenshot-to", "b.png"},
+                                   {"--screenshot-to", "a.png", "--show", "kitchen"},
+                                   {"--target", "north"},
                                    {"--navigation", "tcp://127.0.0.1:1"},
                                    {"--sonar", "tcp://127.0.0.1:1", "--demonstration"},
                                    {"--parameters", "/no/such.toml"}};

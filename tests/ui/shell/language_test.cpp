@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDir>
 #include <QDockWidget>
 #include <QFile>
+#include <QHeaderView>
 #include <QMenu>
 #include <QMenuBar>
 #include <QProcess>
@@ -76,6 +78,76 @@ TEST_F(LanguageTest, KeysAndWhatCannotActAreTheSameInBoth) {
             if (action->shortcut() == QKeySequence(Qt::Key_Space)) {
                 EXPECT_FALSE(action->isEnabled());
             }
+}
+
+/// Every text there is: of widgets with class and name, of the columns of tables.
+QStringList textsOf(const QWidget& window) {
+    QStringList texts;
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        const QString who = QString("%1 %2: ").arg(widget->metaObject()->className(), widget->objectName());
+        for (const char* property : {"text", "title", "placeholderText", "currentText", "windowTitle", "toolTip",
+                                     "statusTip", "accessibleName", "accessibleDescription"}) {
+            const QString text = widget->property(property).toString();
+            if (!text.isEmpty()) texts << who + property + " " + text;
+        }
+        if (const auto* header = qobject_cast<const QHeaderView*>(widget); header && header->model())
+            for (int i = 0; i < header->count(); ++i)
+                texts << who + header->model()->headerData(i, header->orientation()).toString();
+    }
+    for (const QAction* action : window.findChildren<QAction*>()) texts << action->text() + " " + action->statusTip();
+    texts.sort();
+    return texts;
+}
+
+/// A change while the window is open must come to the same as a start in that language: in each text, and on the
+/// screen, where much is painted.
+TEST(Languages, AWindowThatChangedIsLikeOneThatWasStartedSo) {
+    const auto make = [](const QString& language) {
+        auto window = std::make_unique<MainWindow>(
+            MainWindow::Options{.remember = false, .play_on_open = false, .language = language, .steady_alerts = true});
+        window->resize(1600, 1000);
+        window->show();
+        return window;
+    };
+    const auto open = [](MainWindow& window) {
+        window.bridge().open("scan", test::scanOpener(60));
+        ASSERT_TRUE(await([&] { return window.bridge().status().state == ReplayState::Paused; }));
+        window.bridge().designate(14.7, 0.07);
+        window.bridge().seekPosition(50);
+        ASSERT_TRUE(await([&] { return window.bridge().scene() && window.bridge().scene()->position == 50; }));
+        QTest::qWait(20);
+    };
+    const auto compare = [](MainWindow& changed, MainWindow& started, const char* what) {
+        const QStringList have = textsOf(changed);
+        const QStringList want = textsOf(started);
+        for (const QString& text : have)
+            if (!want.contains(text)) ADD_FAILURE() << what << ", left over: " << text.toStdString();
+        for (const QString& text : want)
+            if (!have.contains(text)) ADD_FAILURE() << what << ", missing: " << text.toStdString();
+        QImage difference = changed.grab().toImage();
+        if (difference == started.grab().toImage()) return;
+        const QString path = QDir::temp().filePath("echotrail_language_%1.png");
+        changed.grab().save(path.arg("changed"));
+        started.grab().save(path.arg("started"));
+        ADD_FAILURE() << what << ": the pictures differ, see " << path.arg("*").toStdString();
+    };
+    auto changed = make("en");
+    changed->setLanguage(Language::Chinese);
+    QTest::qWait(20);
+    auto started = make("zh");
+    QTest::qWait(20);
+    compare(*changed, *started, "start page");
+    open(*changed);
+    open(*started);
+    compare(*changed, *started, "opened after the change");
+    changed->setLanguage(Language::English);
+    QTest::qWait(20);
+    changed->setLanguage(Language::Chinese);
+    QTest::qWait(20);
+    compare(*changed, *started, "changed with a recording open");
+    started.reset();
+    changed.reset();
+    applyLanguage(*qApp, Language::English);
 }
 
 TEST_F(LanguageTest, AlertsSpeakTheLanguageInForce) {

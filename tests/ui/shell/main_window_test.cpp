@@ -217,7 +217,7 @@ TEST(MainWindow, OneUndoTakesBackMarksAndParametersAlike) {
     ASSERT_TRUE(await([&] { return window.bridge().status().state == ReplayState::Paused; }));
     window.bridge().seekPosition(30);
     ASSERT_TRUE(await([&] { return window.bridge().scene() && window.bridge().scene()->position == 30; }));
-    QTest::keyClick(&window.fan(), Qt::Key_K);
+    QTest::keyClick(&window.fan(), Qt::Key_M);
     ASSERT_EQ(window.marks().rowCount(), 1);
     ParameterModel& model = window.parameters().model();
     PipelineBridge::Params changed = window.bridge().params();
@@ -227,7 +227,7 @@ TEST(MainWindow, OneUndoTakesBackMarksAndParametersAlike) {
     QTest::keyClick(&window.fan(), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_NE(window.bridge().params().regions.screen.seed_excess_db, 17.0);
     EXPECT_EQ(window.marks().rowCount(), 1);
-    QTest::keyClick(&window.fan(), Qt::Key_K);
+    QTest::keyClick(&window.fan(), Qt::Key_M);
     QTest::keyClick(&window.fan(), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(window.marks().rowCount(), 1);
 }
@@ -243,9 +243,9 @@ TEST(MainWindow, KeysTurnTheFanMeasureAndBringTheBeamToTheFront) {
     EXPECT_EQ(window.fan().orientation(), Orientation::NorthUp);
     QTest::keyClick(&window, Qt::Key_N);
     EXPECT_EQ(window.fan().orientation(), Orientation::CourseUp);
-    QTest::keyClick(&window, Qt::Key_M);
+    QTest::keyClick(&window, Qt::Key_F4);
     EXPECT_TRUE(window.fan().measures());
-    QTest::keyClick(&window, Qt::Key_M);
+    QTest::keyClick(&window, Qt::Key_F4);
     EXPECT_FALSE(window.fan().measures());
     auto* beam = window.findChild<BeamPanel*>();
     ASSERT_NE(beam, nullptr);

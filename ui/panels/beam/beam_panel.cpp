@@ -2,6 +2,7 @@
 
 #include "core/data/beam_line.hpp"
 #include "core/data/ping.hpp"
+#include "ui/language/language.hpp"
 #include "ui/style/formatter.hpp"
 #include "ui/style/ui_metrics.hpp"
 #include "ui/views/graticule_painter.hpp"
@@ -55,7 +56,7 @@ struct BeamPanel::Axes {
 
 BeamPanel::BeamPanel(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setAccessibleName(tr("Beam"));
+    inEveryLanguage(this, [this] { setAccessibleName(tr("Beam")); });
 }
 
 QSize BeamPanel::sizeHint() const {

@@ -1,5 +1,6 @@
 #include "ui/panels/chart/chart_panel.hpp"
 
+#include "ui/language/language.hpp"
 #include "ui/style/ui_metrics.hpp"
 
 #include <QEvent>
@@ -22,12 +23,31 @@ ChartPanel::ChartPanel(MarkModel& marks, AreaModel& areas, QWidget* parent)
     addMarks(*column);
     addAreas(*column);
     sizeRows();
-    showButtons();
+    inEveryLanguage(this, [this] { nameAll(); });
     connect(&marks_, &MarkModel::modelReset, this, &ChartPanel::showButtons);
     connect(&areas_, &AreaModel::modelReset, this, &ChartPanel::showButtons);
 }
 
-QTableView* ChartPanel::addTable(QAbstractItemModel& model, const QString& name, QVBoxLayout& column) {
+void ChartPanel::nameAll() {
+    const auto name = [](QPushButton& button, const QString& text, const QString& tip) {
+        button.setText(text);
+        button.setToolTip(tip);
+        button.setStatusTip(tip);
+    };
+    name(*set_mark_, tr("Mark"), tr("Mark the place under the cursor, else the target (M)"));
+    name(*delete_mark_, tr("Delete"), tr("Delete the selected mark; Ctrl+Z brings it back"));
+    name(*guard_, tr("Guard zone…"), tr("Draw a guard zone on the fan: click its corners, Enter closes it (G)"));
+    name(*veto_, tr("Veto area…"),
+         tr("Draw an area in which guard zones stay silent: click its corners, Enter closes it (V)"));
+    name(*frame_, {}, tr("Whether the selected area moves with the vehicle or stays"));
+    name(*delete_area_, tr("Delete"), tr("Delete the selected area; Ctrl+Z brings it back"));
+    mark_table_->setAccessibleName(tr("Marks"));
+    area_table_->setAccessibleName(tr("Areas"));
+    for (QTableView* table : {mark_table_, area_table_}) table->horizontalHeader()->reset();  // sizes of its titles
+    showButtons();
+}
+
+QTableView* ChartPanel::addTable(QAbstractItemModel& model, QVBoxLayout& column) {
     auto* table = new QTableView(this);
     table->setModel(&model);
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -35,7 +55,6 @@ QTableView* ChartPanel::addTable(QAbstractItemModel& model, const QString& name,
     table->setShowGrid(false);
     table->setWordWrap(false);
     table->setFrameShape(QFrame::NoFrame);
-    table->setAccessibleName(name);
     table->setTabKeyNavigation(false);
     table->verticalHeader()->hide();
     table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
@@ -47,21 +66,19 @@ QTableView* ChartPanel::addTable(QAbstractItemModel& model, const QString& name,
     return table;
 }
 
-QPushButton* ChartPanel::addButton(const QString& text, const QString& tip, QLayout& row) {
-    auto* button = new QPushButton(text, this);
-    button->setToolTip(tip);
-    button->setStatusTip(tip);
+QPushButton* ChartPanel::addButton(QLayout& row) {
+    auto* button = new QPushButton(this);
     row.addWidget(button);
     return button;
 }
 
 void ChartPanel::addMarks(QVBoxLayout& column) {
-    mark_table_ = addTable(marks_, tr("Marks"), column);
+    mark_table_ = addTable(marks_, column);
     mark_table_->horizontalHeader()->setSectionResizeMode(MarkModel::Text, QHeaderView::Stretch);
     mark_table_->setColumnHidden(MarkModel::Time, true);
     auto* row = new QHBoxLayout;
-    set_mark_ = addButton(tr("Mark"), tr("Mark the place under the cursor, else the target (K)"), *row);
-    delete_mark_ = addButton(tr("Delete"), tr("Delete the selected mark; Ctrl+Z brings it back"), *row);
+    set_mark_ = addButton(*row);
+    delete_mark_ = addButton(*row);
     row->addStretch(1);
     column.addLayout(row);
     connect(set_mark_, &QPushButton::clicked, this, &ChartPanel::markRequested);
@@ -69,19 +86,16 @@ void ChartPanel::addMarks(QVBoxLayout& column) {
 }
 
 void ChartPanel::addAreas(QVBoxLayout& column) {
-    area_table_ = addTable(areas_, tr("Areas"), column);
+    area_table_ = addTable(areas_, column);
     area_table_->horizontalHeader()->setSectionResizeMode(AreaModel::Name, QHeaderView::Stretch);
     auto* draw = new QHBoxLayout;
-    guard_ =
-        addButton(tr("Guard zone…"), tr("Draw a guard zone on the fan: click its corners, Enter closes it (G)"), *draw);
-    veto_ =
-        addButton(tr("Veto area…"),
-                  tr("Draw an area in which guard zones stay silent: click its corners, Enter closes it (V)"), *draw);
+    guard_ = addButton(*draw);
+    veto_ = addButton(*draw);
     draw->addStretch(1);
     column.addLayout(draw);
     auto* change = new QHBoxLayout;
-    frame_ = addButton(tr("Fix to ground"), tr("Whether the selected area moves with the vehicle or stays"), *change);
-    delete_area_ = addButton(tr("Delete"), tr("Delete the selected area; Ctrl+Z brings it back"), *change);
+    frame_ = addButton(*change);
+    delete_area_ = addButton(*change);
     change->addStretch(1);
     column.addLayout(change);
     connect(guard_, &QPushButton::clicked, this, [this] { Q_EMIT areaRequested(Area::Kind::Guard); });

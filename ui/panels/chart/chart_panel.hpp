@@ -31,8 +31,9 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    QTableView* addTable(QAbstractItemModel& model, const QString& name, QVBoxLayout& column);
-    QPushButton* addButton(const QString& text, const QString& tip, QLayout& row);
+    QTableView* addTable(QAbstractItemModel& model, QVBoxLayout& column);
+    QPushButton* addButton(QLayout& row);
+    void nameAll();
     void addMarks(QVBoxLayout& column);
     void addAreas(QVBoxLayout& column);
     void sizeRows();

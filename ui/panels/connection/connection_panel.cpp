@@ -1,6 +1,7 @@
 #include "ui/panels/connection/connection_panel.hpp"
 
 #include "core/simulation/simulation_address.hpp"
+#include "ui/language/language.hpp"
 #include "ui/panels/connection/head_controls.hpp"
 #include "ui/panels/connection/recent_links.hpp"
 #include "ui/style/formatter.hpp"
@@ -88,19 +89,31 @@ ConnectionPanel::ConnectionPanel(PipelineBridge& bridge, bool remember, QWidget*
     connect(&bridge_, &PipelineBridge::opened, this, &ConnectionPanel::showOpen);
     connect(&bridge_, &PipelineBridge::closed, this, &ConnectionPanel::showOpen);
     controls_->showSettings(bridge_.params().head);
-    showOpen();
+    inEveryLanguage(this, [this] { nameAll(); });
 }
 
-QComboBox* ConnectionPanel::addAddress(const QString& title, const QString& example) {
-    auto* label = new QLabel(title, this);
+void ConnectionPanel::nameAll() {
+    const auto name = [](QLabel& label, QComboBox& box, const QString& title) {
+        label.setText(title);
+        box.setAccessibleName(title);
+        box.setToolTip(
+            tr("serial:///dev/ttyUSB0?baud=115200, tcp://HOST:PORT or udp://HOST:PORT?listen=PORT; the list has the "
+               "last ones, this computer's serial ports and simulated heads"));
+    };
+    name(*sonar_label_, *sonar_, tr("Sonar"));
+    name(*navigation_label_, *navigation_, tr("Navigation"));
+    navigation_->lineEdit()->setPlaceholderText(tr("none"));
+    record_->setText(tr("Record"));
+    record_->setToolTip(tr("Everything is kept, from the first byte, in the folder of recordings"));
+    showOpen();
+    if (bridge_.isLive()) showLive(bridge_.liveState());
+}
+
+QComboBox* ConnectionPanel::addAddress(QLabel*& label) {
+    label = new QLabel(this);
     label->setObjectName("dim");
     label->setMinimumWidth(UiMetrics(font()).pixels(64.0));
     auto* box = new AddressBox([this](QComboBox& each) { fill(each); }, this);
-    box->setAccessibleName(title);
-    box->lineEdit()->setPlaceholderText(example);
-    box->setToolTip(
-        tr("serial:///dev/ttyUSB0?baud=115200, tcp://HOST:PORT or udp://HOST:PORT?listen=PORT; the list has the last "
-           "ones, this computer's serial ports and simulated heads"));
     auto* row = new QHBoxLayout;
     row->addWidget(label);
     row->addWidget(box, 1);
@@ -109,14 +122,14 @@ QComboBox* ConnectionPanel::addAddress(const QString& title, const QString& exam
 }
 
 void ConnectionPanel::addLink() {
-    sonar_ = addAddress(tr("Sonar"), "tcp://HOST:PORT");
-    navigation_ = addAddress(tr("Navigation"), tr("none"));
+    sonar_ = addAddress(sonar_label_);
+    navigation_ = addAddress(navigation_label_);
+    sonar_->lineEdit()->setPlaceholderText("tcp://HOST:PORT");
     if (remember_) {
         sonar_->setEditText(recentLinks(LinkUse::Sonar).value(0));
         navigation_->setEditText(recentLinks(LinkUse::Navigation).value(0));
     }
-    record_ = new QCheckBox(tr("Record"), this);
-    record_->setToolTip(tr("Everything is kept, from the first byte, in the folder of recordings"));
+    record_ = new QCheckBox(this);
     record_->setChecked(true);
     connect_ = new QPushButton(this);
     auto* row = new QHBoxLayout;

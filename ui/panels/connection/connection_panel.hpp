@@ -30,6 +30,8 @@ public:
     void connectTo(const QString& sonar, const QString& navigation, bool record);
     /// Whether the operator wants the next connection recorded.
     bool records() const;
+    /// What is open, and its summary.
+    void showOpen();
 
 Q_SIGNALS:
     /// A setting of the head was typed; the receiver checks it and hands the parameters to the bridge.
@@ -40,16 +42,18 @@ Q_SIGNALS:
 private:
     void addLink();
     void addState();
-    QComboBox* addAddress(const QString& title, const QString& example);
+    QComboBox* addAddress(QLabel*& label);
+    void nameAll();
     void fill(QComboBox& box) const;
     void addSimulatedHeads(QComboBox& box) const;
-    void showOpen();
     void showLive(const LiveState& state);
     void showCounts(const LiveState& state);
 
     PipelineBridge& bridge_;
     bool remember_;
     QVBoxLayout* column_ = nullptr;
+    QLabel* sonar_label_ = nullptr;
+    QLabel* navigation_label_ = nullptr;
     QComboBox* sonar_ = nullptr;
     QComboBox* navigation_ = nullptr;
     QCheckBox* record_ = nullptr;

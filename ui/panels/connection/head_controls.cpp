@@ -1,6 +1,7 @@
 #include "ui/panels/connection/head_controls.hpp"
 
 #include "ui/forms/parameter_spin_box.hpp"
+#include "ui/language/language.hpp"
 #include "ui/style/formatter.hpp"
 #include "ui/style/label_role.hpp"
 #include "ui/style/ui_metrics.hpp"
@@ -10,6 +11,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace echotrail {
@@ -33,42 +35,48 @@ HeadControls::HeadControls(QWidget* parent) : QWidget(parent) {
     grid->setContentsMargins({});
     grid->setVerticalSpacing(UiMetrics(font()).pixels(2.0));
     grid->setColumnStretch(1, 1);
-    const QStringList heads{tr("Setting"), tr("Command"), tr("Head says")};
-    for (int column = 0; column < heads.size(); ++column) {
-        auto* head = new QLabel(heads[column], this);
+    const std::array heads{QT_TR_NOOP("Setting"), QT_TR_NOOP("Command"), QT_TR_NOOP("Head says")};
+    for (int column = 0; column < static_cast<int>(heads.size()); ++column) {
+        auto* head = new QLabel(this);
         head->setObjectName("dim");
+        inEveryLanguage(head, [head, words = heads[static_cast<std::size_t>(column)]] { head->setText(tr(words)); });
         grid->addWidget(head, 0, column, column == 2 ? Qt::AlignRight : Qt::AlignLeft);
     }
-    addRow(*grid, tr("Range"), "range_m");
-    addRow(*grid, tr("Sector"), "sector_width_deg");
-    addRow(*grid, tr("Centre"), "sector_centre_deg");
-    addRow(*grid, tr("Step"), "step_deg");
-    addRow(*grid, tr("Gain"), "gain_percent");
-    addRow(*grid, tr("Channel"), "channel");
-    addRow(*grid, tr("Bits"), "bits");
-    addRow(*grid, tr("Sound, m/s"), unheard);
+    addRow(*grid, QT_TR_NOOP("Range"), "range_m");
+    addRow(*grid, QT_TR_NOOP("Sector"), "sector_width_deg");
+    addRow(*grid, QT_TR_NOOP("Centre"), "sector_centre_deg");
+    addRow(*grid, QT_TR_NOOP("Step"), "step_deg");
+    addRow(*grid, QT_TR_NOOP("Gain"), "gain_percent");
+    addRow(*grid, QT_TR_NOOP("Channel"), "channel");
+    addRow(*grid, QT_TR_NOOP("Bits"), "bits");
+    addRow(*grid, QT_TR_NOOP("Sound, m/s"), unheard);
     showSettings({});
-    showHead({});
+    inEveryLanguage(this, [this] { showHead(head_); });
 }
 
-void HeadControls::addRow(QGridLayout& grid, const QString& title, const std::string& name) {
+void HeadControls::addRow(QGridLayout& grid, const char* title, const std::string& name) {
     static const auto infos = describeParameters<HeadSettings>();
     const auto info = std::find_if(infos.begin(), infos.end(), [&](const auto& each) { return each.name == name; });
     Q_ASSERT(info != infos.end());
     Row row{.info = *info, .head = new QLabel(this), .mark = new QLabel(this)};
-    addField(row, title);
+    addField(row);
     row.mark->setMinimumWidth(fontMetrics().height());
     const int line = static_cast<int>(rows_.size()) + 1;
-    auto* label = new QLabel(title, this);
+    auto* label = new QLabel(this);
     label->setToolTip(QString::fromStdString(info->help));
+    QWidget* field = row.number ? static_cast<QWidget*>(row.number) : row.choice;
+    inEveryLanguage(label, [label, field, title] {
+        label->setText(tr(title));
+        field->setAccessibleName(tr(title));
+    });
     grid.addWidget(label, line, 0);
-    grid.addWidget(row.number ? static_cast<QWidget*>(row.number) : row.choice, line, 1);
+    grid.addWidget(field, line, 1);
     grid.addWidget(row.head, line, 2, Qt::AlignRight);
     grid.addWidget(row.mark, line, 3);
     rows_.push_back(std::move(row));
 }
 
-void HeadControls::addField(Row& row, const QString& title) {
+void HeadControls::addField(Row& row) {
     const std::size_t place = rows_.size();
     const auto done = [this, place] { commit(place); };
     QStringList choices;
@@ -76,7 +84,6 @@ void HeadControls::addField(Row& row, const QString& title) {
     if (row.info.name == "bits") choices = QStringList{"4", "8"};  // a head knows no others
     if (choices.isEmpty()) {
         row.number = new ParameterSpinBox(row.info.minimum, row.info.maximum, false, this);
-        row.number->setAccessibleName(title);
         row.number->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         row.number->setMinimumWidth(UiMetrics(font()).pixels(58.0));
         row.number->setToolTip(QString("%1 … %2 %3")
@@ -88,7 +95,6 @@ void HeadControls::addField(Row& row, const QString& title) {
     } else {
         row.choice = new QComboBox(this);
         row.choice->addItems(choices);
-        row.choice->setAccessibleName(title);
         row.choice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         row.choice->setMinimumWidth(UiMetrics(font()).pixels(58.0));
         connect(row.choice, &QComboBox::activated, this, done);
@@ -122,6 +128,7 @@ void HeadControls::showSettings(const HeadSettings& settings) {
 }
 
 void HeadControls::showHead(const seanet::HeadStatus& status) {
+    head_ = status;
     for (Row& row : rows_) {
         if (!status.confirmed || row.info.name == unheard) {
             row.head->setText(row.info.name == unheard && status.confirmed ? tr("used here") : Formatter::unknown());

@@ -39,13 +39,15 @@ private:
         QLabel* mark = nullptr;
         QString shown;  ///< the value in force
     };
-    void addRow(QGridLayout& grid, const QString& title, const std::string& name);
-    void addField(Row& row, const QString& title);
+    /// `title` is translated when it is shown.
+    void addRow(QGridLayout& grid, const char* title, const std::string& name);
+    void addField(Row& row);
     void commit(std::size_t row);
     static void showValue(Row& row);
 
     std::vector<Row> rows_;
     HeadSettings settings_;
+    seanet::HeadStatus head_;
 };
 
 }  // namespace echotrail

@@ -92,6 +92,7 @@ void LayersPanel::addOrientation() {
     course_up_ = new QPushButton(tr("Course up"), this);
     orientation_note_ = named({}, "dim", this);
     orientation_note_->setWordWrap(true);
+    orientation_note_->hide();
     auto* row = new QHBoxLayout;
     for (QPushButton* button : {head_up_, north_up_, course_up_}) {
         button->setCheckable(true);

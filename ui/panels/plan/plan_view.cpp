@@ -1,5 +1,6 @@
 #include "ui/panels/plan/plan_view.hpp"
 
+#include "ui/language/language.hpp"
 #include "ui/style/formatter.hpp"
 #include "ui/style/ui_metrics.hpp"
 #include "ui/views/graticule_painter.hpp"
@@ -33,7 +34,7 @@ struct PlanView::Map {
 
 PlanView::PlanView(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setAccessibleName(tr("Plan"));
+    inEveryLanguage(this, [this] { setAccessibleName(tr("Plan")); });
 }
 
 QSize PlanView::sizeHint() const {
@@ -140,8 +141,8 @@ void PlanView::paintTracks(QPainter& painter, const Map& map) const {
         const QPointF end = map.at(now->estimate.mean.head<2>().cast<float>());
         SymbolPainter(painter, palette, metrics.scale() * 0.8)
             .target(end, {now->state, now->target, id == selected_track_, {}, 0.0});
-        textWithHalo(painter, end + QPointF(metrics.length(11.0), -metrics.length(5.0)), Formatter::trackId(id), colour,
-                     palette.halo);
+        textWithHalo(painter, end + QPointF(metrics.length(11.0), -metrics.length(5.0)),
+                     Formatter::trackLabel(id, track_names_), colour, palette.halo);
     }
 }
 
@@ -183,6 +184,11 @@ void PlanView::paintEvent(QPaintEvent*) {
     painter.setPen(palette.caution);
     painter.drawText(rect().adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignLeft,
                      tr("No navigation: the vehicle\nis taken to lie still, bow north"));
+}
+
+void PlanView::setTrackNames(const TrackNames& names) {
+    track_names_ = names;
+    update();
 }
 
 QByteArray PlanView::csv() const {

@@ -2,6 +2,7 @@
 
 #include "core/runtime/scene.hpp"
 #include "ui/chart/mark.hpp"
+#include "ui/style/formatter.hpp"
 #include "ui/style/palette.hpp"
 
 #include <QWidget>
@@ -19,6 +20,7 @@ public:
     void setScene(std::shared_ptr<const Scene> scene);
     void setMarks(const QList<Mark>& marks);
     void setSelectedTrack(int id);
+    void setTrackNames(const TrackNames& names);
     /// One line per point in time order of its path: "who,utc,north_m,east_m,heading_deg" with `.` decimals; the
     /// heading of the vehicle only.
     QByteArray csv() const;
@@ -42,6 +44,7 @@ private:
     std::shared_ptr<const Scene> scene_;
     QList<Mark> marks_;
     int selected_track_ = 0;
+    TrackNames track_names_;
 };
 
 }  // namespace echotrail

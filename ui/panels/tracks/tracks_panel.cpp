@@ -42,7 +42,6 @@ TracksPanel::TracksPanel(QWidget* parent) : QWidget(parent) {
     column->addWidget(table_, 1);
     column->addLayout(makeButtons());
     column->addWidget(scroll_, 6);
-    sizeTable();
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
         if (following_selection_ || !row.isValid()) return;
         selected_ = model_.idAt(row.row());
@@ -72,7 +71,10 @@ QLayout* TracksPanel::makeButtons() {
     connect(clear_, &QPushButton::clicked, this, &TracksPanel::clearRequested);
     connect(mute_, &QPushButton::clicked, this, &TracksPanel::toggleMute);
     connect(drop_, &QPushButton::clicked, this, &TracksPanel::dropSelected);
-    connect(name_, &QLineEdit::editingFinished, this, [this] { model_.setName(shown_, name_->text()); });
+    connect(name_, &QLineEdit::editingFinished, this, [this] {
+        model_.setName(shown_, name_->text());
+        Q_EMIT namesChanged(model_.names());
+    });
     return buttons;
 }
 
@@ -92,6 +94,7 @@ void TracksPanel::nameAll() {
     name_->setPlaceholderText(tr("Name"));
     name_->setAccessibleName(tr("Name of the selected track"));
     name_->setToolTip(tr("Your name for the selected track (Ctrl+R), taken by Enter; this console's only"));
+    sizeTable();  // by its titles
 }
 
 /// No wider than their words, so that there is room for a name.
@@ -124,6 +127,7 @@ void TracksPanel::editName() {
 void TracksPanel::startAnew() {
     samples_.clear();
     model_.forgetTracks();
+    Q_EMIT namesChanged({});
     selected_ = 0;
     card_->showNothing();
     showButtons({}, nullptr);
@@ -134,7 +138,7 @@ void TracksPanel::sizeTable() {
     const QFontMetrics text(font());
     table_->verticalHeader()->setDefaultSectionSize(metrics.pixels(24.0));
     table_->verticalHeader()->setMinimumSectionSize(metrics.pixels(20.0));
-    table_->setMinimumHeight(metrics.pixels(24.0 * 5.5));
+    table_->setMinimumHeight(metrics.pixels(24.0 * 4.5));  // the card below is tall
     QHeaderView& head = *table_->horizontalHeader();
     head.setMinimumSectionSize(metrics.pixels(24.0));
     for (int column = 0; column < TrackModel::ColumnCount; ++column)

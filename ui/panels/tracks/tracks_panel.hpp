@@ -43,6 +43,7 @@ Q_SIGNALS:
     /// The selected track is to be the target.
     void designateRequested(double range_m, echotrail::Bearing from_bow);
     void clearRequested();
+    void namesChanged(const echotrail::TrackNames& names);
     /// Whether alerts about this track are wanted.
     void muteRequested(int id, bool muted);
     /// Nobody is to be told of the selected track, which is at this place, any more.

@@ -1,5 +1,6 @@
 #include "ui/panels/transport/timeline_view.hpp"
 
+#include "ui/language/language.hpp"
 #include "ui/panels/transport/moment.hpp"
 #include "ui/style/formatter.hpp"
 #include "ui/style/palette.hpp"
@@ -36,8 +37,10 @@ double timeAxisStep(double length_s, double ticks) {
 
 TimelineView::TimelineView(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
-    setAccessibleName(tr("Time line"));
-    setAccessibleDescription(tr("Click or drag to go to a moment of the recording"));
+    inEveryLanguage(this, [this] {
+        setAccessibleName(tr("Time line"));
+        setAccessibleDescription(tr("Click or drag to go to a moment of the recording"));
+    });
     setAttribute(Qt::WA_OpaquePaintEvent);
     setCursor(Qt::PointingHandCursor);
 }
@@ -260,7 +263,7 @@ void TimelineView::resizeEvent(QResizeEvent*) { lanes_ = {}; }
 
 void TimelineView::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange ||
-        event->type() == QEvent::StyleChange)
+        event->type() == QEvent::StyleChange || event->type() == QEvent::LanguageChange)
         lanes_ = {};
     QWidget::changeEvent(event);
 }

@@ -41,11 +41,13 @@ QPainterPath signPath(TransportButton::Sign sign) {
 
 }  // namespace
 
-TransportButton::TransportButton(Sign sign, const QString& name, const QString& keys, QWidget* parent)
-    : QToolButton(parent), sign_(sign) {
-    setAccessibleName(name);
-    setToolTip(keys.isEmpty() ? name : name + " (" + keys + ")");
+TransportButton::TransportButton(Sign sign, QWidget* parent) : QToolButton(parent), sign_(sign) {
     setFocusPolicy(Qt::TabFocus);
+}
+
+void TransportButton::setName(const QString& name, const QString& keys) {
+    setAccessibleName(name);
+    setToolTip(name + " (" + keys + ")");
 }
 
 void TransportButton::setSign(Sign sign) {

@@ -11,7 +11,8 @@ class TransportButton : public QToolButton {
 public:
     enum class Sign { ToStart, StepBack, Play, Pause, StepForward, ToEnd };
 
-    TransportButton(Sign sign, const QString& name, const QString& keys, QWidget* parent = nullptr);
+    explicit TransportButton(Sign sign, QWidget* parent = nullptr);
+    void setName(const QString& name, const QString& keys);
     void setSign(Sign sign);
     QSize sizeHint() const override;
 

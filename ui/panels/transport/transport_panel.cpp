@@ -1,5 +1,6 @@
 #include "ui/panels/transport/transport_panel.hpp"
 
+#include "ui/language/language.hpp"
 #include "ui/panels/transport/moment.hpp"
 #include "ui/panels/transport/timeline_view.hpp"
 #include "ui/panels/transport/transport_button.hpp"
@@ -53,36 +54,55 @@ TransportPanel::TransportPanel(PipelineBridge& bridge, QWidget* parent) : QWidge
         timeline_->setTimeline({});
         showStatus({});
     });
-    showStatus({});
+    inEveryLanguage(this, [this] { nameAll(); });
+}
+
+void TransportPanel::nameAll() {
+    speed_->setAccessibleName(tr("Speed"));
+    speed_->setToolTip(tr("Seconds of the recording per second (, slower  . faster)"));
+    for (int row = 0; row < speed_->count(); ++row)
+        speed_->setItemText(row, speedText(speed_->itemData(row).toDouble()));
+    loop_button_->setToolTip(tr("Sets A, then B, then ends the loop"));
+    cancel_->setText(tr("Cancel"));
+    cancel_->setToolTip(tr("Stops where the run has got to"));
+    go_to_label_->setText(tr("Go to"));
+    go_to_->setPlaceholderText(tr("UTC or 0:00:12.5"));
+    go_to_->setMinimumWidth(fontMetrics().horizontalAdvance(go_to_->placeholderText()) + fontMetrics().height());
+    go_to_->setAccessibleName(tr("Go to a moment"));
+    nameLoop();
+    showStatus(bridge_.status());
+}
+
+/// By what a press of it does next.
+void TransportPanel::nameLoop() {
+    loop_button_->setText(loop_ ? tr("End loop") : loop_begin_ ? tr("Loop until here") : tr("Loop from here"));
 }
 
 QLayout* TransportPanel::makeControls() {
     auto* row = new QHBoxLayout;
     using Sign = TransportButton::Sign;
-    const auto add = [&](Sign sign, const QString& name, const QString& keys, auto slot) {
-        auto* button = new TransportButton(sign, name, keys, this);
+    const auto add = [&](Sign sign, const char* name, const QString& keys, auto slot) {
+        auto* button = new TransportButton(sign, this);
+        inEveryLanguage(button, [button, name, keys] { button->setName(tr(name), keys); });
         connect(button, &QToolButton::clicked, this, slot);
         buttons_.push_back(button);
         row->addWidget(button);
         return button;
     };
-    add(Sign::ToStart, tr("To the start"), "Home", [this] { bridge_.seekPosition(0); });
-    add(Sign::StepBack, tr("One ping back"), "Ctrl+Left", [this] { bridge_.stepPings(-1); });
-    play_ = add(Sign::Play, tr("Play or pause"), "Space", [this] { bridge_.togglePlay(); });
-    play_->setMinimumWidth(play_->sizeHint().width() * 2);
-    add(Sign::StepForward, tr("One ping on"), "Ctrl+Right", [this] { bridge_.stepPings(1); });
-    add(Sign::ToEnd, tr("To the end"), "End", [this] { bridge_.seekPosition(bridge_.status().total); });
+    add(Sign::ToStart, QT_TR_NOOP("To the start"), "Home", [this] { bridge_.seekPosition(0); });
+    add(Sign::StepBack, QT_TR_NOOP("One ping back"), "Ctrl+Left", [this] { bridge_.stepPings(-1); });
+    play_ = add(Sign::Play, QT_TR_NOOP("Play or pause"), "Space", [this] { bridge_.togglePlay(); });
+    play_->setMinimumWidth(play_->sizeHint().width() * 3 / 2);
+    add(Sign::StepForward, QT_TR_NOOP("One ping on"), "Ctrl+Right", [this] { bridge_.stepPings(1); });
+    add(Sign::ToEnd, QT_TR_NOOP("To the end"), "End", [this] { bridge_.seekPosition(bridge_.status().total); });
 
     speed_ = new QComboBox(this);
-    speed_->setAccessibleName(tr("Speed"));
-    speed_->setToolTip(tr("Seconds of the recording per second (, slower  . faster)"));
     for (const double factor : offeredSpeeds()) speed_->addItem(speedText(factor), factor);
     speed_->setCurrentText(speedText(1.0));
     connect(speed_, &QComboBox::currentIndexChanged, this,
             [this](int row_index) { bridge_.setSpeed(offeredSpeeds()[static_cast<std::size_t>(row_index)]); });
     row->addWidget(speed_);
-    loop_button_ = new QPushButton(tr("Loop from here"), this);
-    loop_button_->setToolTip(tr("Sets A, then B, then ends the loop"));
+    loop_button_ = new QPushButton(this);
     connect(loop_button_, &QPushButton::clicked, this, &TransportPanel::loopHere);
     row->addWidget(loop_button_);
     return row;
@@ -96,15 +116,11 @@ QLayout* TransportPanel::makeReadouts() {
     elapsed_->setObjectName("dim");
     busy_ = new QLabel(this);
     busy_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // what it says must not widen the window
-    cancel_ = new QPushButton(tr("Cancel"), this);
-    cancel_->setToolTip(tr("Stops where the run has got to"));
+    cancel_ = new QPushButton(this);
     connect(cancel_, &QPushButton::clicked, &bridge_, &PipelineBridge::cancelSeek);
-    auto* label = new QLabel(tr("Go to"), this);
-    label->setObjectName("dim");
+    go_to_label_ = new QLabel(this);
+    go_to_label_->setObjectName("dim");
     go_to_ = new QLineEdit(this);
-    go_to_->setPlaceholderText(tr("UTC or 0:00:12.5"));
-    go_to_->setAccessibleName(tr("Go to a moment"));
-    go_to_->setMinimumWidth(fontMetrics().averageCharWidth() * 20);
     go_to_->setMaximumWidth(fontMetrics().averageCharWidth() * 26);
     connect(go_to_, &QLineEdit::returnPressed, this, &TransportPanel::goToTyped);
     row->addSpacing(fontMetrics().height() / 2);
@@ -113,7 +129,7 @@ QLayout* TransportPanel::makeReadouts() {
     row->addSpacing(fontMetrics().height() / 2);
     row->addWidget(busy_, 1);
     row->addWidget(cancel_);
-    row->addWidget(label);
+    row->addWidget(go_to_label_);
     row->addWidget(go_to_);
     return row;
 }
@@ -190,8 +206,7 @@ void TransportPanel::loopHere() {
     if (loop_) return setLoop(std::nullopt);
     if (!loop_begin_) {
         loop_begin_ = here;
-        loop_button_->setText(tr("Loop until here"));
-        return;
+        return nameLoop();
     }
     setLoop(PingSpan{std::min(*loop_begin_, here), std::max(*loop_begin_ + 1, here)});
 }
@@ -199,7 +214,7 @@ void TransportPanel::loopHere() {
 void TransportPanel::setLoop(std::optional<PingSpan> loop) {
     loop_ = loop;
     loop_begin_.reset();
-    loop_button_->setText(loop ? tr("End loop") : tr("Loop from here"));
+    nameLoop();
     timeline_->setLoop(loop);
     bridge_.setLoop(loop);
 }

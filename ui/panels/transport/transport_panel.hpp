@@ -35,6 +35,8 @@ Q_SIGNALS:
 private:
     QLayout* makeControls();
     QLayout* makeReadouts();
+    void nameAll();
+    void nameLoop();
     void showStatus(const ReplayStatus& status);
     void showTimes(const ReplayStatus& status);
     void goToTyped();
@@ -51,6 +53,7 @@ private:
     QLabel* elapsed_ = nullptr;
     QLabel* busy_ = nullptr;
     QPushButton* cancel_ = nullptr;
+    QLabel* go_to_label_ = nullptr;
     QLineEdit* go_to_ = nullptr;
     QElapsedTimer travelling_;  ///< since a seek began that is still under way
     std::optional<std::uint64_t> loop_begin_;
