@@ -24,7 +24,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int rounds = 12, pings_a_round = 250;
-constexpr std::chrono::milliseconds between_pings{20}, to_settle{1'500};
+constexpr std::chrono::milliseconds between_pings{20}, to_settle{1'500}, to_look_again{250};
 
 double residentMebibytes() {
     long pages = 0, resident = 0;
@@ -51,6 +51,7 @@ private:
         LinkClient client({{"console", "benchmark"}, true, 0});
         const auto now = [] { return std::chrono::duration_cast<Microseconds>(Clock::now().time_since_epoch()); };
         std::int64_t next_row = std::int64_t{1} << 40;  // the first answer says how far the run is
+        Microseconds asked{0};
         client.linkUp(now());
         std::vector<std::uint8_t> bytes(1 << 16);
         while (!stop.stop_requested()) {
@@ -67,8 +68,9 @@ private:
             client.tick(now());
             while (const auto event = client.next())
                 if (const auto* rows = std::get_if<LinkRows>(&*event)) next_row = rows->rows.there + 1;
-            if (!deaf && client.unanswered() == 0 && client.status().mayReadRecordings())
-                client.readRows({"run.echotrail", {0, LogTable::Events, next_row, next_row + 1'000, 16'384}});
+            if (deaf || now() - asked < to_look_again || !client.status().mayReadRecordings()) continue;
+            asked = now();
+            client.readRows({"run.echotrail", {0, LogTable::Events, next_row, next_row + 1'000, 16'384}});
         }
     }
     std::jthread thread_;
@@ -102,7 +104,7 @@ public:
     explicit Run(const std::string& folder)
         : runner_({}, 1, *LogWriter::create(folder + "/run.echotrail", {.started = Timestamp(Microseconds(1))}),
                   [this](const Update& update, Timestamp, const ScanningSonarPipeline& pipeline) {
-                      arrived_us_ = std::chrono::duration<double, std::micro>(Clock::now() - posted_).count();
+                      arrived_us_ = std::chrono::duration<double, std::micro>(Clock::now() - posted_.load()).count();
                       service_.take(runner_.lastPing(), update, pipeline);
                       ++taken_;
                   }),
@@ -113,9 +115,10 @@ public:
     /// One ping, and how long it took from its last byte to its tracks.
     double ping(const std::vector<std::uint8_t>& bytes) {
         const std::uint64_t before = taken_;
-        posted_ = Clock::now();
+        const auto now = Clock::now();
+        posted_ = now;
         runner_.post(EventKind::SonarBytes, bytes);
-        std::this_thread::sleep_until(posted_ + between_pings);
+        std::this_thread::sleep_until(now + between_pings);
         while (taken_ == before) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return arrived_us_;
     }
