@@ -6,6 +6,7 @@
 #include "core/runtime/replay_runner.hpp"
 #include "ui/main_window/main_window.hpp"
 #include "ui/panels/connection/connection_panel.hpp"
+#include "ui/views/fan_view.hpp"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -20,7 +21,7 @@ namespace echotrail {
 namespace {
 
 constexpr double limit_ms = 50.0;
-constexpr int watched_ms = 15'000;
+constexpr int watched_ms = 10'000;
 constexpr int resize_ms = 30;
 
 double threadMs() {
@@ -60,7 +61,7 @@ public:
         events_ = over_ = 0;
         total_ms_ = most_ms_ = most_wall_ms_ = 0.0;
         watching_ = true;
-        QTimer::singleShot(watched_ms, this, &QCoreApplication::quit);
+        QTimer::singleShot(watched_ms, this, [] { exit(0); });  // quit() would close the window
         exec();
         watching_ = false;
         std::printf(
@@ -94,7 +95,10 @@ int main(int argc, char** argv) {
     window.resize(1600, 1000);
     window.show();
 
-    QObject::connect(&window.bridge(), &PipelineBridge::sceneChanged, [&app] { app.countScene(); });
+    QObject::connect(&window.bridge(), &PipelineBridge::sceneChanged, [&] {
+        app.countScene();
+        window.fan().repaint();  // at once: without a screen Qt puts paintings off
+    });
     window.connection().connectTo("simulation://demo", {}, false);
     bool good = app.watch("live head");
     QTimer resizing;
