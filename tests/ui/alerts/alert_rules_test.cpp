@@ -100,6 +100,15 @@ TEST(AlertRules, OnlyTheOperatorsTargetIsMissed) {
     EXPECT_EQ(told[0].title, "T01 lost, no echo for 1.7 s");
 }
 
+TEST(AlertRules, ATrackThatHasANameIsCalledByIt) {
+    Scene scene = test::fullScene();
+    scene.tracks[0].state = TrackState::Lost;
+    const TrackNames names{{1, "buoy"}};
+    EXPECT_TRUE(AlertRules::ofScene(scene, true, names).front().title.startsWith("T01 buoy lost"));
+    EXPECT_EQ(AlertRules::guardZoneEntered(1, "pier", names).title, "T01 buoy in guard zone pier");
+    EXPECT_EQ(AlertRules::guardZoneEntered(2, "pier", names).title, "T02 in guard zone pier");
+}
+
 TEST(AlertRules, ARecordingsMissingHeadingIsToldToo) {
     Scene scene = test::bareScene();
     scene.navigation_known = true;

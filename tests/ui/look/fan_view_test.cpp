@@ -84,6 +84,15 @@ TEST_F(FanViewTest, ALayerTurnedOffTakesItsColourAway) {
     EXPECT_NE(off({}), off({&Layers::echoes}));
 }
 
+TEST_F(FanViewTest, ATracksNameStandsBesideItsSymbol) {
+    view_.setScene(test::shared(test::fullScene()));
+    const QImage without = pictureOf(view_);
+    view_.setTrackNames({{1, "buoy"}});
+    EXPECT_NE(pictureOf(view_), without);
+    view_.setTrackNames({});
+    EXPECT_EQ(pictureOf(view_), without);
+}
+
 TEST_F(FanViewTest, NothingIsBrighterAtNightThanTheMarks) {
     applyTheme(*qApp, Theme::Night);
     Scene scene = test::fullScene();
