@@ -46,6 +46,8 @@ public:
     void setParams(const LiveRunner::Params&) override {}
     void designate(double, Bearing) override {}
     void clearDesignation() override {}
+    void drop(int, double, Bearing) override {}
+    void restore(int) override {}
     void setEnhanced(bool) override {}
 
 private:

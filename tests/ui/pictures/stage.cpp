@@ -27,7 +27,7 @@ public:
                    .steady_alerts = true,
                    .unhurried = true,
                    .live = {.open = [this](const LiveRequest&) -> Opened { return source(); },
-                            .open_tracker = [this](const QString&) -> Opened { return source(); }}}) {
+                            .open_tracker = [this](const QString&, bool) -> Opened { return source(); }}}) {
         head_.goTo(at_s_);
         script_.state = head_.state();
         window_.alerts().setSound({});
@@ -37,7 +37,7 @@ public:
     MainWindow& window() { return window_; }
     ScriptedHead& head() { return head_; }
     void connectHead() { window_.bridge().openLive("tcp://sonar:4000", "udp://sonar:4001?listen=4001", true); }
-    void connectTracker() { window_.bridge().openTracker("tls://vehicle:7001"); }
+    void connectTracker() { window_.bridge().openTracker("tls://vehicle:7001", false); }
 
     /// Shows the pings up to so many seconds from the first; `change` is what is not in good health.
     void goTo(double seconds, const std::function<void(LiveState&)>& change = {}) {

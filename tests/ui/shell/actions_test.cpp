@@ -32,7 +32,7 @@ void gather(QMenu& menu, std::set<QAction*>& found) {
 LiveAccess noHeads() {
     LiveAccess access;
     access.open = [](const LiveRequest&) -> Result<std::unique_ptr<LiveSource>> { return Error{"no heads here"}; };
-    access.open_tracker = [](const QString&) -> Result<std::unique_ptr<LiveSource>> { return Error{"none here"}; };
+    access.open_tracker = [](const QString&, bool) -> Result<std::unique_ptr<LiveSource>> { return Error{"none here"}; };
     return access;
 }
 
