@@ -194,11 +194,11 @@ void Tracker::learnClutter(const Region& region) {
 
 bool Tracker::mayBeBorn(const Region& region) const {
     if (region.clutter_mass || region.multipath || region.only_expected ||
-        region.beam_hits < params_.tracking.min_beam_hits || isGhost(region) || isArc(region))
+        region.beam_hits < params_.tracking.min_beam_hits || isGhost(region))
         return false;
-    if (params_.method.births == Births::Picked &&
-        !(designation_ && (region.position_m - designation_->position_m).norm() < designation_->radius_m))
-        return false;
+    const bool pointed_at =
+        designation_ && (region.position_m - designation_->position_m).norm() < designation_->radius_m;
+    if (!pointed_at && (params_.method.births == Births::Picked || isArc(region))) return false;
     return std::none_of(followed_.begin(), followed_.end(), [&](const FollowedTrack& followed) {
         const GaussianState state = predict(followed, region.time);
         return (state.mean.head<2>() - region.position_m).norm() < params_.tracking.merge_tracks_m / 2.0;

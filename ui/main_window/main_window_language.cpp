@@ -58,9 +58,9 @@ void MainWindow::retranslate() {
     need_source_.clear();
     need_recording_.clear();
     control_actions_.clear();
+    nameRoles();
     makeMenus();
     nameDocks();
-    nameRoles();
     manual_->refresh();
     status_->nameChips();
     status_->showTheme(themeTitle(theme_));

@@ -33,7 +33,7 @@ std::vector<std::vector<std::uint8_t>> scan(int sweeps) {
             line.data.assign(800, 20);
             const int bin = 320 - 4 * sweep;
             for (int b = bin; b < bin + 12; ++b)
-                if (place >= 22 && place <= 26) line.data[static_cast<std::size_t>(b)] = 160;
+                if (place >= 23 && place <= 25) line.data[static_cast<std::size_t>(b)] = 160;
             frames.push_back(seanet::encodeHeadData(line));
         }
     }

@@ -205,6 +205,9 @@ TEST(Tracker, AThinArcAboutTheHeadStartsNoTrack) {
     Scene arc({{.start = {20, 0}, .area_m2 = 2.0}});  // 0.6 m along the line of sight, 4.2 m across it
     arc.run(60);
     EXPECT_EQ(arc.tracker.confirmedEver(), 0u);
+    arc.tracker.designate({20, 0}, 3.0);
+    arc.run(90);
+    EXPECT_EQ(arc.tracker.confirmedEver(), 1u) << "the operator knows better";
 }
 
 TEST(Tracker, EchoesThatRunIntoEachOtherCountForBothTracks) {

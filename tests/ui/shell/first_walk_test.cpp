@@ -89,10 +89,10 @@ TEST_F(FirstWalk, FromTheDemonstrationToATargetAMarkADistanceAParameterAndAnAler
     EXPECT_TRUE(window_.messages().text().contains("Delete"));
 
     QTest::mouseMove(&fan(), onScreen(place) + QPoint(60, 40));
-    QTest::keyClick(&fan(), Qt::Key_K);
+    QTest::keyClick(&fan(), Qt::Key_M);
     ASSERT_EQ(window_.marks().rowCount(), 1);
 
-    QTest::keyClick(&fan(), Qt::Key_M);
+    QTest::keyClick(&fan(), Qt::Key_F4);
     click(place);
     QTest::mouseClick(&fan(), Qt::LeftButton, {}, onScreen(place) + QPoint(120, 80));
     EXPECT_TRUE(fan().measures());
