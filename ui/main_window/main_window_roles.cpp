@@ -153,7 +153,7 @@ void MainWindow::shareOut() {
     // Of a window 1600 wide: 252 left, 378 right, 474 for parameters that are tuned; the card of a track is tall.
     const int line = fontMetrics().height();
     const bool tune = role_ == Role::Tune;
-    resizeDocks({layers_dock_, tracks_dock_}, {14 * line, (tune ? 29 : 24) * line}, Qt::Horizontal);
+    resizeDocks({layers_dock_, tracks_dock_}, {14 * line, (tune ? 29 : 23) * line}, Qt::Horizontal);
     if (tune)
         resizeDocks({parameters_dock_, tracks_dock_}, {32 * line, 24 * line}, Qt::Vertical);
     else

@@ -103,6 +103,7 @@ TEST_F(HelpTest, TheReferencesAreWhatTheProgramSaysOfItself) {
 }
 
 TEST_F(HelpTest, F1OpensThePageOfWhatHasTheFocusOrIsPointedAt) {
+    QTest::mouseMove(&window_, window_.rect().center());
     QTest::keyClick(&window_, Qt::Key_F1);
     EXPECT_EQ(window_.manual().page(), "start") << "nothing is open";
     EXPECT_TRUE(dock("manual")->isVisible());
