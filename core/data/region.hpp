@@ -24,8 +24,8 @@ struct RegionFeatures {
 /// A connected patch of the fan that stands out from its background.
 struct Region {
     std::uint32_t id = 0;              ///< counts from 1 within a run
-    Timestamp time{};                  ///< when the beam was on it (amplitude-weighted mean)
-    Eigen::Vector2d position_m{0, 0};  ///< amplitude-weighted centroid, north and east in the local frame
+    Timestamp time{};                  ///< when the beam was on it (mean, weighted as the centroid)
+    Eigen::Vector2d position_m{0, 0};  ///< centroid (see RegionShapeParams), north and east in the local frame
     Pose head;                         ///< where it was seen from, at `time`; its heading is the bow's
     double range_m = 0.0;              ///< from the head at `time`
     Bearing bearing;                   ///< from the bow at `time`

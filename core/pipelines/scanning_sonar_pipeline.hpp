@@ -59,9 +59,9 @@ public:
     void setParams(const Params& params);
     const Params& params() const { return params_; }
 
-    /// The operator's pick: the first region or track within max(3 m, 10 % of the range) of this place becomes the
-    /// target, waiting as long as needed (a stronger one in the same pass goes before). The place is relative to the
-    /// head at the latest ping (before any: the first).
+    /// The operator's pick: a proven track at this place, the target that was lost near it, or else the first region or
+    /// track within max(3 m, 10 % of the range), waiting as long as needed; until that is proven, a stronger one nearby
+    /// goes before. The place is relative to the head at the latest ping (before any: the first).
     void designate(double range_m, Bearing from_bow);
     void clearDesignation();
     /// As in the tracker; range and bearing are where the operator saw the track, with the radius of a pick.

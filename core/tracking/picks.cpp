@@ -1,3 +1,4 @@
+#include "core/tracking/gate.hpp"
 #include "core/tracking/tracker.hpp"
 
 #include <Eigen/LU>
@@ -8,7 +9,6 @@
 namespace echotrail {
 namespace {
 
-constexpr double gate_sigmas = 3.0;
 constexpr double sure_pick_m = 1.0;    // a proven track this near a pick is meant
 constexpr double pick_db_per_m = 3.0;  // a region further from the pick has to be so much stronger
 

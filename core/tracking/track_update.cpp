@@ -1,4 +1,5 @@
 #include "core/base/random.hpp"
+#include "core/tracking/gate.hpp"
 #include "core/tracking/tracker.hpp"
 
 #include <Eigen/LU>
@@ -15,7 +16,6 @@
 namespace echotrail {
 namespace {
 
-constexpr double gate_sigmas = 3.0;
 constexpr double clutter_score_memory = 0.9;
 constexpr double looked_at_coverage = 0.5;  // the expected place itself was passed over
 constexpr std::size_t longest_history = 64;

@@ -1,6 +1,7 @@
 #include "core/tracking/tracker.hpp"
 
 #include "core/filters/motion_model.hpp"
+#include "core/tracking/gate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace {
 
 constexpr double least_clutter_density = 2e-5;  // regions per m²
 constexpr double clutter_memory = 0.8;          // share of the past in the learned density, per sweep
-constexpr double gate_sigmas = 3.0;
 constexpr double least_excess_db = 2.0, strongest_clutter_db = 20.0;
 constexpr double widest_interest = 0.1;    // of the range scale, to each side
 constexpr double vaguest_tentative = 0.1;  // deviation of an unproven track, in range scales
