@@ -105,7 +105,9 @@ void print(const Json& all, std::ostream& out) {
     line("range scale", spanText(all["range_scale_m"], " m"));
     line("bearings", spanText(all["bearing_deg"], " deg from the head's zero"));
     line("step", spanText(all["step_deg"], " deg"));
-    line("bins", spanText(all["bins_per_ping"], " per ping") + " of " + spanText(all["bin_size_m"], " m"));
+    line("bins", all["pings"] == 0 ? "-"
+                                   : spanText(all["bins_per_ping"], " per ping") + " of " +
+                                         spanText(all["bin_size_m"], " m"));
     line("frequency", spanText(all["frequency_khz"], " kHz"));
     line("gain", spanText(all["gain_percent"], " %"));
     line("speed of sound", plain(all["sound_speed_mps"]) + " m/s");
@@ -125,7 +127,7 @@ struct InfoArguments {
 ExitCode info(const InfoArguments& arguments) {
     const auto address = parseSourceAddress(arguments.source);
     if (!address) return fail(ExitCode::Usage, address.error());
-    const auto source = openSource(*address, {});
+    const auto source = openSource(*address, {.without_pings = true});
     if (!source) return fail(ExitCode::Failed, source.error());
     const Json all = describe(**source);
     if (arguments.json)

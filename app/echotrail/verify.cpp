@@ -61,7 +61,7 @@ private:
 };
 
 ExitCode verify(const std::string& path) {
-    const auto log = EchotrailLog::open(path, {});
+    const auto log = EchotrailLog::open(path, {.without_pings = true});
     if (!log) return fail(ExitCode::Failed, log.error());
     auto settings = RecordedRunSettings::of(**log, {});
     if (!settings) return fail(ExitCode::Failed, settings.error());

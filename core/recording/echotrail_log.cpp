@@ -35,10 +35,11 @@ Result<std::unique_ptr<EchotrailLog>> EchotrailLog::open(const std::string& path
     log->describe(path);
     log->rewind();
     const auto first = log->next();
-    if (!first) return Error{"cannot open " + path + ": no sonar ping was recorded in it"};
-    log->info_.start = first->time;
-    log->info_.range_scale_m = first->range_scale_m;
-    log->info_.end = std::max(log->reader_->end().value_or(first->time), first->time);
+    if (!first && !options.without_pings) return Error{"cannot open " + path + ": no sonar ping was recorded in it"};
+    if (!first) log->info_.notes.push_back("no sonar ping was recorded: the run ended before the head gave one");
+    log->info_.start = first ? first->time : log->reader_->header().started;
+    log->info_.range_scale_m = first ? first->range_scale_m : 0.0;
+    log->info_.end = std::max(log->reader_->end().value_or(log->info_.start), log->info_.start);
     log->rewind();
     return log;
 }

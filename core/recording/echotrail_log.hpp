@@ -16,7 +16,8 @@ namespace echotrail {
 /// `info().pings` is 0 where the run was cut off before it could say how many there were.
 class EchotrailLog final : public PingSource {
 public:
-    /// The log is open, and holds at least one ping; else the error says what is wrong.
+    /// The log is open, and holds at least one ping unless the options allow for none (a run that ended while the head
+    /// was still being set up): then it starts and ends when the run started. Else the error says what is wrong.
     static Result<std::unique_ptr<EchotrailLog>> open(const std::string& path, const RecordingOptions& options);
 
     std::optional<Ping> next() override;

@@ -12,6 +12,7 @@ namespace echotrail {
 struct RecordingOptions {
     std::optional<double> sound_speed_mps;    ///< overrides what the file stores
     double default_sound_speed_mps = 1490.0;  ///< where it stores none
+    bool without_pings = false;               ///< a log of our own opens even where it holds no ping yet
 };
 
 /// Opens a recording read-only, whatever its name: a Seanet Pro log (.V4LOG), or the raw byte stream of a head.

@@ -238,6 +238,19 @@ TEST_F(LiveRecording, TheSignalToEndClosesTheLogAndWritesTheSummary) {
     EXPECT_FALSE(std::filesystem::exists(log + "-wal"));
 }
 
+TEST(LiveUsage, ALogWithoutAPingOpensToBeLookedAt) {
+    const ScratchFolder folder;
+    const std::string log = folder.path("nobody.echotrail");
+    run({"track", "--sonar", "tcp://127.0.0.1:1", "--record", log, "--duration", "1", "--quiet"});
+    const Outcome info = run({"info", log, "--json"});
+    EXPECT_EQ(info.exit_code, 0) << info.errors;
+    EXPECT_EQ(nlohmann::json::parse(info.output)["pings"], 0);
+    EXPECT_EQ(run({"verify", log}).exit_code, 0);
+    const Outcome replay = run({"replay", log});
+    EXPECT_EQ(replay.exit_code, 1);  // there is nothing to replay
+    EXPECT_TRUE(isOneLine(replay.errors)) << replay.errors;
+}
+
 TEST(LiveUsage, WrongAddressesAreSaidInOneLine) {
     for (const char* sonar :
          {"tcp://nowhere", "serial://ttyUSB0", "a.V4LOG", "udp://h:99999", "simulation://atlantis"}) {
