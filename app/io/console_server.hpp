@@ -63,7 +63,7 @@ public:
     /// Datagrams that were not from whom they said, or came again.
     std::uint64_t datagramsRefused() const { return datagrams_refused_; }
     std::size_t consoles() const { return server_.consoles(); }
-    SendQueue::Level levelOf(std::uint32_t console) const { return server_.levelOf(console); }
+    SendQueue::Level levelOf(std::uint32_t console) const { return server_.levelOf(console, clock_()); }
 
 Q_SIGNALS:
     /// Consoles came, went, took control, misbehaved: one line.

@@ -139,7 +139,7 @@ void LinkServer::welcome(LinkSession& session, const wire::Hello& hello, Timesta
     if (recordings_) welcome.add_capabilities(link_recordings);
     welcome.set_console(session.console);
     welcome.set_run(run_);
-    if (!hello.datagrams() || hello.bytes_per_second() > 0) session.datagram_offer.reset();
+    if (!hello.datagrams()) session.datagram_offer.reset();
     if (session.datagram_offer) {
         welcome.mutable_datagrams()->set_port(session.datagram_offer->port);
         welcome.mutable_datagrams()->set_session(session.datagram_offer->session);
@@ -348,9 +348,9 @@ std::optional<std::string> LinkServer::nextNote() {
     return note;
 }
 
-SendQueue::Level LinkServer::levelOf(std::uint32_t console) const {
+SendQueue::Level LinkServer::levelOf(std::uint32_t console, Timestamp now) const {
     const LinkSession* session = find(console);
-    return session ? session->queue.level() : SendQueue::NoPicture;
+    return session ? session->level(now) : SendQueue::NoPicture;
 }
 
 std::size_t LinkServer::waitingBytes(std::uint32_t console) const {

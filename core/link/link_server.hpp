@@ -81,8 +81,8 @@ public:
     std::size_t consoles() const { return sessions_.size(); }
     const LinkControl& control() const { return control_.state(); }
     std::uint64_t revision() const { return parameters_.revision; }
-    /// How much is left out for this console.
-    SendQueue::Level levelOf(std::uint32_t console) const;
+    /// How much of the streams is left out for this console.
+    SendQueue::Level levelOf(std::uint32_t console, Timestamp now) const;
     std::size_t waitingBytes(std::uint32_t console) const;
 
 private:

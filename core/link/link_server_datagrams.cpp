@@ -12,8 +12,7 @@ void LinkServer::receivedDatagram(std::uint32_t console, Timestamp now, std::spa
         ++counts_.malformed;
         return;
     }
-    const auto lost = session->datagrams.report(message.datagrams().newest(), message.datagrams().received(), now);
-    if (lost) session->queue.tellLoss(*lost, now);
+    session->datagrams.report(message.datagrams().newest(), message.datagrams().received(), now);
     wire::ToConsole out;
     out.mutable_datagram_echo();
     session->datagrams.addEcho(out.SerializeAsString());
@@ -22,9 +21,12 @@ void LinkServer::receivedDatagram(std::uint32_t console, Timestamp now, std::spa
 /// By a datagram where that arrives and it fits; else by TCP.
 void LinkServer::stream(LinkSession& session, SendQueue::Lane lane, const SendQueue::Frame& frame, Timestamp now) {
     if (!frame || session.closing || !session.welcomed || session.needs_snapshot) return;
-    const bool by_datagram = session.datagram_offer && session.datagrams.works(now);
-    if (by_datagram && session.queue.allows(lane) && session.datagrams.add(frame)) return;
-    send(session, lane, frame, now);
+    if (!session.usesDatagrams(now) || !DatagramWay::fits(frame)) return send(session, lane, frame, now);
+    if (!SendQueue::allows(lane, session.datagrams.level())) return;
+    if (session.queue.spend(frame->size(), now))
+        session.datagrams.add(frame);
+    else
+        session.datagrams.tellCrowded(now);
 }
 
 std::vector<std::string> LinkServer::takeDatagrams(std::uint32_t console) {

@@ -1,5 +1,4 @@
 #include "core/link/link_server.hpp"
-
 #include "core/link/wire_values.hpp"
 
 #include <algorithm>
@@ -27,7 +26,7 @@ void LinkServer::publish(LinkMoment moment, Timestamp now) {
         stream(*session, SendQueue::Lane::Regions, frames.regions, now);
         stream(*session, SendQueue::Lane::Particles, frames.particles, now);
         session->queue.judge(now);
-        stream(*session, SendQueue::Lane::Picture, encoder_.beamAt(frames, session->queue.level()), now);
+        stream(*session, SendQueue::Lane::Picture, encoder_.beamAt(frames, session->level(now)), now);
     }
 }
 

@@ -28,6 +28,10 @@ struct LinkSession {
     std::optional<LinkDatagrams> datagram_offer;  ///< none where there are none
     DatagramWay datagrams;
 
+    /// Whether streams go to it by datagrams now.
+    bool usesDatagrams(Timestamp now) const { return datagram_offer && datagrams.works(now); }
+    /// How much is left out of the streams to it.
+    SendQueue::Level level(Timestamp now) const { return usesDatagrams(now) ? datagrams.level() : queue.level(); }
     /// One request more; false where it has had too many lately.
     bool mayAsk(Timestamp now);
 

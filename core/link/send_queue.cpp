@@ -24,14 +24,14 @@ void SendQueue::setRate(double bytes_per_second, Timestamp now) {
     refilled_ = now;
 }
 
-bool SendQueue::allows(Lane lane) const {
-    if (lane == Lane::Particles) return level_ < NoParticles;
-    return lane != Lane::Regions || level_ < NoRegions;  // a beam without its levels still says where the vehicle is
+bool SendQueue::allows(Lane lane, Level level) {
+    if (lane == Lane::Particles) return level < NoParticles;
+    return lane != Lane::Regions || level < NoRegions;  // a beam without its levels still says where the vehicle is
 }
 
 bool SendQueue::add(Lane lane, Frame frame, Timestamp now) {
     judge(now);
-    if (!allows(lane)) {
+    if (!allows(lane, level_)) {
         ++counts_.left_out;
         return true;
     }
@@ -107,18 +107,21 @@ void SendQueue::judge(Timestamp now) {
     }
     for (const Lane lane : {Lane::Regions, Lane::Particles, Lane::Picture}) {
         LaneQueue& queue = laneOf(lane);
-        if (!allows(lane)) dropAll(queue);
+        if (!allows(lane, level_)) dropAll(queue);
         while (!queue.frames.empty() && now - queue.frames.front().since > worthless) dropOldest(queue);
     }
 }
 
-void SendQueue::tellLoss(double share, Timestamp now) {
-    constexpr double much = 0.1;  // radios lose some in the best of times
-    if (share <= much) return;
-    last_delay_ = now;
-    if (now - level_changed_ <= before_less || level_ == NoPicture) return;
-    level_ = static_cast<Level>(level_ + 1);
-    level_changed_ = now;
+bool SendQueue::spend(std::size_t bytes, Timestamp now) {
+    refill(now);
+    if (rate_ <= 0.0) return true;
+    if (tokens_ <= 0.0) {
+        ++counts_.left_out;
+        return false;
+    }
+    tokens_ -= static_cast<double>(bytes);
+    counts_.sent_bytes += bytes;
+    return true;
 }
 
 void SendQueue::dropOldest(LaneQueue& lane) {

@@ -38,10 +38,10 @@ public:
     /// Nothing that waits is of use any more but rows; a frame that was begun is finished.
     void clear();
 
-    /// So much of what went another way was lost: a reason to send less, too.
-    void tellLoss(double share, Timestamp now);
-    /// Whether the level lets this lane through.
-    bool allows(Lane lane) const;
+    /// So much goes another way, within the same limit. False: it has to stay behind.
+    bool spend(std::size_t bytes, Timestamp now);
+    /// Whether a level lets this lane through.
+    static bool allows(Lane lane, Level level);
 
     Level level() const { return level_; }
     double rate() const { return rate_; }  ///< bytes per second; 0: no limit

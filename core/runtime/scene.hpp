@@ -19,11 +19,12 @@ struct BeamLine;
 
 /// Everything the eye needs at one moment, copied from the pipeline at the display's pace: a picture may be skipped.
 struct Scene {
-    std::uint64_t position = 0;   ///< pings taken in so far
-    Update latest;                ///< what the last ping brought about
-    Ping ping;                    ///< the last echo line
-    FanImage fan;                 ///< own copy
-    FanImage enhanced;            ///< local enhancement of `fan`; empty unless asked for
+    std::uint64_t position = 0;  ///< pings taken in so far
+    Update latest;               ///< what the last ping brought about
+    Ping ping;                   ///< the last echo line
+    FanImage fan;                ///< own copy
+    double picture_age_s = 0.0;  ///< from the last echo line in `fan` to the last ping, which may have come without one
+    FanImage enhanced;           ///< local enhancement of `fan`; empty unless asked for
     std::vector<Region> regions;  ///< of the last full turn of the beam
     std::vector<Track> tracks;
     double sweep_s = 0.0;  ///< duration of the last whole sweep; 0 before there was one

@@ -67,6 +67,7 @@ void SceneBuilder::add(const Ping& ping, const Update& update, double processor_
         return beam_is_back || forgotten;
     });
     regions_.insert(regions_.end(), update.regions.begin(), update.regions.end());
+    if (!ping.levels.empty()) pictured_ = ping.time;
     keeper_.add(TimedPose{update.time, update.pose});
     for (const TrackLook& look : update.looks) keeper_.add(look);
     const double microseconds = 1e6 * processor_seconds;
@@ -120,6 +121,7 @@ Scene SceneBuilder::build(const FanImage& fan, std::vector<Track> tracks, const 
     scene.latest = update;
     scene.ping = ping;
     scene.fan = fan.clone();
+    if (!fan.empty()) scene.picture_age_s = secondsBetween(pictured_, ping.time);
     scene.regions = regions_;
     scene.tracks = std::move(tracks);
     scene.sweep_s = sweep_s_;

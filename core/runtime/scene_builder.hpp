@@ -36,6 +36,7 @@ private:
     void followSweep(const Ping& ping, const Update& update);
 
     std::vector<Region> regions_;
+    Timestamp pictured_{};  ///< when there last was an echo line
     Timestamp sweep_start_{};
     double sweep_s_ = 0.0;
     double turned_rad_ = 0.0;  ///< from the first bearing of this sweep, clockwise positive

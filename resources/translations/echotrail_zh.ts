@@ -705,6 +705,14 @@
         <source>seen %1 ago</source>
         <translation>%1前看到</translation>
     </message>
+    <message>
+        <source>PICTURE IS OLD</source>
+        <translation>图像已旧</translation>
+    </message>
+    <message>
+        <source>%1: the link is too slow for it</source>
+        <translation>%1：链路太慢，无法传送</translation>
+    </message>
 </context>
 <context>
     <name>echotrail::FanView</name>

@@ -89,6 +89,9 @@ BeamAges beamAges(const Scene& scene, const Sector& sector) {
         }
     }
     ages.newest_ms = *std::max_element(times.begin(), times.end());
+    if (ages.newest_ms != FanImage::never_scanned)  // a slow link may have left the picture out for a while
+        ages.newest_ms +=
+            static_cast<std::int32_t>(std::lround(1000.0 * std::clamp(scene.picture_age_s, 0.0, 86'400.0)));
     for (const std::int32_t time : times) {
         const bool scanned = time != FanImage::never_scanned;
         const double age = scanned ? (ages.newest_ms - time) / 1000.0 : -1.0;

@@ -23,7 +23,7 @@ std::optional<double> secondsToNextLook(const Scene& scene, Bearing from_bow);
 
 /// Ages of the beams over the sector, from the left to the right, in seconds before the newest one.
 struct BeamAges {
-    std::int32_t newest_ms = 0;  ///< on the clock of FanImage::beam_time_ms
+    std::int32_t newest_ms = 0;  ///< now, on the clock of FanImage::beam_time_ms: of the last ping
     double oldest_s = 0.0;
     std::vector<float> age_s;  ///< one per degree from the left edge; negative: never scanned
 };

@@ -13,6 +13,8 @@
 namespace echotrail {
 namespace {
 
+constexpr double oldest_picture_s = 2.0;  ///< single lines go missing in the best of times
+
 struct UnderCursor {
     double level_db = std::numeric_limits<double>::quiet_NaN();
     double age_s = std::numeric_limits<double>::quiet_NaN();
@@ -120,6 +122,10 @@ QList<BadgeLine> viewLines(const FanMoment& moment, const Palette& p) {
     if (dropped > 0)
         lines << BadgeLine{{FanText::tr("FILTERS ACTIVE"), p.caution, true},
                            {"  " + FanText::tr("regions dropped: %1").arg(dropped), p.mark}};
+    if (scene.picture_age_s > oldest_picture_s)
+        lines << BadgeLine{
+            {FanText::tr("PICTURE IS OLD"), p.caution, true},
+            {"  " + FanText::tr("%1: the link is too slow for it").arg(Formatter::age(scene.picture_age_s)), p.mark}};
     if (scene.latest.navigation_gap)
         lines << BadgeLine{{FanText::tr("NAVIGATION GAP"), p.caution, true},
                            {"  " + FanText::tr("tracks coast"), p.mark}};

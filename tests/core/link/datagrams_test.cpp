@@ -15,8 +15,8 @@ const LinkDatagrams offer{7'000, 42, std::string(link_limits::datagram_key_bytes
 
 /// A console that takes datagrams, and a way for them that loses all but every so-manyth.
 struct Ashore {
-    explicit Ashore(Wire& to) : wire(to), console("shore") {
-        console.client = LinkClient({{"shore", "test"}, true, 0, true});
+    explicit Ashore(Wire& to, std::uint64_t bytes_per_second = 0) : wire(to), console("shore") {
+        console.client = LinkClient({{"shore", "test"}, true, bytes_per_second, true});
         console.number = *wire.server.connected(wire.now(), offer);
         console.client.linkUp(wire.monotonic());
         wire.carry({&console});
@@ -94,23 +94,55 @@ TEST(LinkDatagrams, LossIsAReasonToSendLess) {
     Wire wire;
     Ashore ashore(wire);
     ashore.run(1.0);
-    EXPECT_EQ(wire.server.levelOf(ashore.console.number), SendQueue::Everything);
+    EXPECT_EQ(wire.server.levelOf(ashore.console.number, wire.now()), SendQueue::Everything);
     ashore.loses = 3;
     ashore.run(6.0);
-    EXPECT_GT(wire.server.levelOf(ashore.console.number), SendQueue::Everything);
+    EXPECT_GT(wire.server.levelOf(ashore.console.number, wire.now()), SendQueue::Everything);
     EXPECT_GT(ashore.console.client.status().gaps, 0U);
     EXPECT_EQ(ashore.console.heard<LinkTracks>().size(), 140U) << "none of them";
     ashore.loses = 0;
     ashore.run(60.0);
-    EXPECT_EQ(wire.server.levelOf(ashore.console.number), SendQueue::Everything);
+    EXPECT_EQ(wire.server.levelOf(ashore.console.number, wire.now()), SendQueue::Everything);
+}
+
+/// A console told of loss every half second for so long.
+SendQueue::Level levelAfter(std::uint64_t lost_of_ten, double seconds) {
+    DatagramWay way;
+    std::uint64_t newest = 0, received = 0;
+    for (double t = 0.0; t < seconds; t += 0.5) {
+        newest += 10;
+        received += 10 - lost_of_ten;
+        way.report(newest, received, at(t));
+    }
+    return way.level();
+}
+
+TEST(LinkDatagrams, LossByChanceCostsDetailOnly) {
+    EXPECT_EQ(levelAfter(1, 60.0), SendQueue::Everything);
+    EXPECT_EQ(levelAfter(2, 60.0), SendQueue::QuarterDetail);
+    EXPECT_EQ(levelAfter(4, 60.0), SendQueue::QuarterDetail);
+    EXPECT_EQ(levelAfter(6, 60.0), SendQueue::NoPicture);
+}
+
+TEST(LinkDatagrams, TheyKeepToTheLimitOfTheConsole) {
+    Wire wire;
+    Ashore ashore(wire, 20'000);
+    ashore.run(20.0);
+    ashore.texts.clear();
+    ashore.run(10.0);
+    std::size_t bytes = 0;
+    for (const std::string& text : ashore.texts) bytes += text.size();
+    EXPECT_LT(bytes, 220'000U);
+    EXPECT_GT(bytes, 1'000U) << "something goes";
+    EXPECT_GT(wire.server.levelOf(ashore.console.number, wire.now()), SendQueue::Everything);
 }
 
 TEST(LinkDatagrams, OnlyTheNewestWaitAndOnlyStreamsAreBelieved) {
     DatagramWay way;
     const auto frame = [](std::size_t bytes, char c) { return std::make_shared<const std::string>(bytes, c); };
     EXPECT_FALSE(way.works(at(0.0)));
-    EXPECT_FALSE(way.add(frame(link_limits::longest_datagram_text + link_frame_head + 1, 'x')));
-    for (int i = 0; i < 200; ++i) ASSERT_TRUE(way.add(frame(100, static_cast<char>('a' + i % 26))));
+    EXPECT_FALSE(DatagramWay::fits(frame(link_limits::longest_datagram_text + link_frame_head + 1, 'x')));
+    for (int i = 0; i < 200; ++i) way.add(frame(100, static_cast<char>('a' + i % 26)));
     const auto texts = way.take();
     ASSERT_EQ(texts.size(), link_limits::most_datagrams);
     EXPECT_EQ(texts.back()[0], 'a' + 199 % 26);

@@ -287,7 +287,7 @@ TEST(Link, OnASlowWayTracksKeepComingAndThePictureGetsCoarser) {
         wire.run(0.05, {&slow}, 0.025);
     }
     EXPECT_GE(slow.heard<LinkTracks>().size(), 60U);
-    EXPECT_GT(wire.server.levelOf(slow.number), SendQueue::Everything);
+    EXPECT_GT(wire.server.levelOf(slow.number, wire.now()), SendQueue::Everything);
     const auto beams = slow.heard<LinkBeam>();
     EXPECT_GT(beams.size(), 100U);
     EXPECT_LT(beams.back().ping.levels.size(), beams.front().ping.levels.size());

@@ -164,14 +164,14 @@ TEST(LinkRecordings, WhereTheWayIsTooSlowForThePictureRowsAreFewAndSpareIt) {
     wire.carry({&console});
     std::uint64_t number = 0;
     console.reads = 5;  // in a turn; four turns each 50 ms
-    while (wire.server.levelOf(console.number) == SendQueue::Everything) {
+    while (wire.server.levelOf(console.number, wire.now()) == SendQueue::Everything) {
         wire.ping(number++);
         wire.run(0.05, {&console});
     }
     shelf.requests.clear();
     const Timestamp begun = wire.now();
     console.reads = 500;
-    while (wire.server.levelOf(console.number) != SendQueue::Everything) {
+    while (wire.server.levelOf(console.number, wire.now()) != SendQueue::Everything) {
         if (console.client.unanswered() == 0) console.client.readRows(some(1, 60'000));
         wire.run(0.05, {&console});
         shelf.answer();

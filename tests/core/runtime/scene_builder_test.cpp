@@ -51,6 +51,14 @@ TEST(SceneBuilder, TellsTheSweepDurationAndTheEdgesOfTheSector) {
     EXPECT_NEAR(sceneAfter(5).sector_right.inDegrees(), -12.0, 1e-9) << "as far as the first sweep has come";
 }
 
+TEST(SceneBuilder, TellsForHowLongEchoesHaveBeenLeftOut) {
+    auto scan = test::sectorScan(40);
+    FanImage fan{cv::Mat(4, 4, CV_8U, cv::Scalar(1)), cv::Mat(4, 4, CV_32S, cv::Scalar(0))};
+    EXPECT_EQ(built(scan, 21).build(fan, {}, scan.back(), {}).picture_age_s, 0.0);
+    for (std::size_t i = 30; i < scan.size(); ++i) scan[i].levels.clear();
+    EXPECT_NEAR(built(scan, 21).build(fan, {}, scan.back(), {}).picture_age_s, 10 * 0.05, 1e-9);
+}
+
 TEST(SceneBuilder, AFullTurnReachesAllBearings) {
     auto scan = test::sectorScan(400);
     for (Ping& ping : scan) ping.bearing = Bearing::degrees(100.0 + 2.0 * static_cast<double>(ping.sequence));

@@ -88,6 +88,14 @@ TEST(BeamSchedule, AgesGrowAwayFromTheBeam) {
     EXPECT_NEAR(static_cast<double>(ages.age_s[45]), 1.5, 0.1);
 }
 
+TEST(BeamSchedule, WithoutNewEchoesThePictureAges) {
+    Scene scene = test::bareScene();
+    scene.picture_age_s = 12.0;
+    const BeamAges ages = beamAges(scene, sectorOf(scene));
+    EXPECT_NEAR(ages.oldest_s, 15.0, 0.1);
+    EXPECT_NEAR(static_cast<double>(ages.age_s[90]), 12.0, 0.1);
+}
+
 TEST(BeamSchedule, AGrowingSectorIsFittedSymmetrically) {
     Scene scene = test::bareScene();
     scene.sweep_s = 0.0;
