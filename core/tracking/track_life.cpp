@@ -1,8 +1,22 @@
 #include "core/tracking/track_life.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <cmath>
 
 namespace echotrail {
+
+namespace {
+
+/// Along the longer axis of the ellipse, metres.
+double positionSigma(const Track& track) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(track.estimate.covariance.topLeftCorner<2, 2>(),
+                                                              Eigen::EigenvaluesOnly);
+    return std::sqrt(std::max(axes.eigenvalues().y(), 0.0));
+}
+
+}  // namespace
 
 double existenceAfter(double existence, double likelihood_ratio) {
     const double weighted = likelihood_ratio * existence;
@@ -22,7 +36,8 @@ void advanceLife(Track& track, LookResult result, double likelihood_ratio, Times
     }
     switch (track.state) {
         case TrackState::Tentative:
-            if (track.existence > params.confirm_existence && track.looks >= params.confirm_looks)
+            if (track.existence > params.confirm_existence && track.looks >= params.confirm_looks &&
+                positionSigma(track) <= params.confirm_sigma_m)
                 track.state = TrackState::Confirmed;
             break;
         case TrackState::Confirmed:

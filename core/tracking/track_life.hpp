@@ -10,6 +10,7 @@ struct LifeParams {
     double picked_existence = 0.9;
     double confirm_existence = 0.99;
     int confirm_looks = 3;
+    double confirm_sigma_m = 2.5;
     double lost_existence = 0.05;
     int lost_misses = 4;
     double lost_after_s = 30.0;
@@ -32,6 +33,8 @@ struct Described<LifeParams> {
         Field{&P::confirm_existence, "confirm_existence", "", 0.5, 0.9999,
               "A track is confirmed above this probability"},
         Field{&P::confirm_looks, "confirm_looks", "looks", 1, 20, "… and with at least this many echoes"},
+        Field{&P::confirm_sigma_m, "confirm_sigma_m", "m", 0.1, 1000,
+              "… and where its place is known to this deviation: echoes here and there are no object yet"},
         Field{&P::lost_existence, "lost_existence", "", 0.001, 0.5, "A track is lost below this probability"},
         Field{&P::lost_misses, "lost_misses", "looks", 1, 50, "… or after this many looks in a row without an echo"},
         Field{&P::lost_after_s, "lost_after_s", "s", 1, 600, "… or this long after its last echo"},

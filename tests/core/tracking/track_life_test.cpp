@@ -33,6 +33,16 @@ TEST(TrackLife, ConfirmedAtTheThirdClearLookAndNotBefore) {
     EXPECT_EQ(track.state, TrackState::Confirmed);
 }
 
+TEST(TrackLife, IsNotConfirmedWhileNobodyCanSayWhereItIs) {
+    Track track = newborn();
+    track.estimate.covariance.topLeftCorner<2, 2>() = Eigen::Vector2d(36.0, 0.01).asDiagonal();
+    for (int i = 1; i <= 6; ++i) advanceLife(track, LookResult::Seen, 1e4, at(i), {});
+    EXPECT_EQ(track.state, TrackState::Tentative);
+    track.estimate.covariance.topLeftCorner<2, 2>() = Eigen::Vector2d(1.0, 0.01).asDiagonal();
+    advanceLife(track, LookResult::Seen, 1e4, at(7), {});
+    EXPECT_EQ(track.state, TrackState::Confirmed);
+}
+
 TEST(TrackLife, CoastsAfterAMissComesBackWithAnEchoAndIsLostAfterFourMisses) {
     Track track = newborn();
     for (int i = 1; i <= 6; ++i) advanceLife(track, LookResult::Seen, 1e4, at(i), {});

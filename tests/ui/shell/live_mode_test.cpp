@@ -11,6 +11,7 @@
 #include "ui/views/fan_view.hpp"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <QApplication>
 #include <QDir>
@@ -30,6 +31,11 @@ using test::await;
 qsizetype entries(const QString& folder) { return QDir(folder).entryList(QDir::AllEntries | QDir::System).size(); }
 qsizetype threads() { return entries("/proc/self/task"); }
 qsizetype openFiles() { return entries("/proc/self/fd"); }
+/// Bytes that are allocated, whatever the allocator keeps for later.
+std::size_t heapInUse() {
+    const struct mallinfo2 now = mallinfo2();
+    return now.uordblks + now.hblkhd;
+}
 
 /// A console with real links, and its recordings in a folder of the test's own.
 class LiveMode : public testing::Test {
@@ -223,7 +229,7 @@ TEST_F(LiveMode, TheEnhancedPictureIsThereWhileLiveToo) {
     EXPECT_TRUE(await([&] { return !window_.bridge().scene()->enhanced.empty(); }));
 }
 
-TEST_F(LiveMode, TwentyRoundsOfLiveRecordingAndSimulationLeaveNoThreadAndNoFileBehind) {
+TEST_F(LiveMode, TwentyRoundsOfLiveRecordingAndSimulationLeaveNoThreadNoFileAndNoHeapBehind) {
     SimulatedPeer peer;
     const auto replays = [&] { return window_.bridge().isOpen() && !window_.bridge().isLive(); };
     const auto round = [&](bool record) {
@@ -244,8 +250,11 @@ TEST_F(LiveMode, TwentyRoundsOfLiveRecordingAndSimulationLeaveNoThreadAndNoFileB
     rest();
     const qsizetype threads_before = threads();
     const qsizetype files_before = openFiles();
+    const std::size_t heap_before = heapInUse();
     for (int i = 0; i < 20; ++i) ASSERT_NO_FATAL_FAILURE(round(i % 2 == 0));
     rest();
+    constexpr std::size_t pictures = 16U << 20U;  // one takes 4 MB, and some may be on their way; a round paints twenty
+    EXPECT_LT(heapInUse(), heap_before + pictures);
     EXPECT_TRUE(await([&] { return threads() <= threads_before; })) << threads() << " for " << threads_before;
     EXPECT_TRUE(await([&] { return openFiles() <= files_before; })) << openFiles() << " for " << files_before;
 }
