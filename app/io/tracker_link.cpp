@@ -40,12 +40,19 @@ void TrackerLink::open() {
         converse();
     });
     tick_->start(tick_ms);
+    reopen_ = new QTimer(this);
+    reopen_->setSingleShot(true);
+    connect(reopen_, &QTimer::timeout, this, [this] {
+        connectChannel();
+        channel_->open();
+    });
     channel_->open();
 }
 
 void TrackerLink::close() {
     wanted_ = false;
     delete std::exchange(tick_, nullptr);
+    delete std::exchange(reopen_, nullptr);
     channel_.reset();
     client_.linkDown();
     closeDatagrams();
@@ -95,11 +102,7 @@ void TrackerLink::converse() {
         channel_->disconnect(this);
         channel_->close();
         lost(reason);
-        QTimer::singleShot(reopen_ms, this, [this] {
-            if (!wanted_) return;
-            connectChannel();
-            channel_->open();
-        });
+        reopen_->start(reopen_ms);
     }
     if (remote_.changed() && scenes_.empty()) scenes_.put(remote_.build(enhanced_));
     publish();

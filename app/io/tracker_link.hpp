@@ -112,6 +112,7 @@ private:
     LinkClient client_;
     RemoteScene remote_;
     QTimer* tick_ = nullptr;
+    QTimer* reopen_ = nullptr;  ///< runs while a connection that was given up here waits to be made again
     bool wanted_ = false;
     std::string reason_;
     std::optional<RemoteScene::Params> wanted_params_;

@@ -26,7 +26,6 @@ std::optional<LinkDatagrams> datagramsOf(const wire::Welcome& welcome) {
 
 void LinkClient::linkUp(Microseconds now) {
     linkDown();
-    wants_to_close_ = false;
     status_.state = State::Greeting;
     status_.refusal.clear();
     up_since_ = now;
@@ -70,6 +69,7 @@ std::optional<std::string> LinkClient::datagramToSend(Microseconds now) {
 /// What was known of the far side stays, for the eye; its age tells that it is old.
 void LinkClient::linkDown() {
     status_.state = State::Down;
+    wants_to_close_ = false;
     reader_ = FrameReader(link_limits::longest_message);
     output_.clear();
     last_sequence_.clear();

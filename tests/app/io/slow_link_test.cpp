@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QElapsedTimer>
+#include <QTcpServer>
+#include <QTcpSocket>
 #include <QTemporaryDir>
 #include <chrono>
 #include <memory>
@@ -168,6 +171,27 @@ TEST(SlowLink, ATrackerThatIsKilledAndStartedTwentyTimesIsFoundAgain) {
         ASSERT_TRUE(becomes([&] { return !console.state().up; })) << round;
         tracker = std::make_unique<Tracker>(port);
     }
+}
+
+TEST(SlowLink, AfterALongTimeWithoutAnyWayThereIsOneConnectionAgain) {
+    QTcpServer nonsense;
+    ASSERT_TRUE(nonsense.listen(QHostAddress::LocalHost));
+    const std::uint16_t port = nonsense.serverPort();
+    TrackerLink console(at(port), {"shore", "test"});
+    console.open();
+    ASSERT_TRUE(becomes([&] { return nonsense.hasPendingConnections(); }));
+    nonsense.nextPendingConnection()->write(QByteArray(64, '\xff'));
+    ASSERT_TRUE(becomes([&] { return !console.state().reason.empty(); })) << "the console gives it up by itself";
+    nonsense.close();
+    QElapsedTimer gone;
+    gone.start();
+    ASSERT_TRUE(becomes([&] { return gone.hasExpired(2'500); })) << "many turns of its clock, and some attempts";
+    const Tracker tracker(port);
+    ASSERT_TRUE(becomes([&] { return console.state().up; }));
+    gone.restart();
+    ASSERT_TRUE(becomes([&] { return gone.hasExpired(1'500); }));
+    EXPECT_TRUE(console.state().up);
+    EXPECT_EQ(console.state().client.joins, 1U);
 }
 
 TEST(SlowLink, AConsoleThatIsKilledAndStartedTwentyTimesKnowsTheSameAgain) {
