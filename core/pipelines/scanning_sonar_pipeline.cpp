@@ -84,8 +84,8 @@ BeamMoment ScanningSonarPipeline::beamOf(const Ping& ping, const Ray& ray, const
     const Eigen::Vector2d origin = ray.at(0.0);
     std::optional<WatchedSector> watched;
     if (const auto& sector = follower_.chosen())
-        watched = {Bearing::degrees(sector->centre_deg) + vehicle_.heading.inRadians(),
-                   radiansFromDegrees(sector->width_deg / 2.0)};
+        watched = WatchedSector{Bearing::degrees(sector->centre_deg) + vehicle_.heading.inRadians(),
+                   radiansFromDegrees(sector->width_deg / 2.0), radiansFromDegrees(params_.head.sector_width_deg)};
     return {.time = ping.time,
             .head = {origin.x(), origin.y(), vehicle_.heading},
             .azimuth = Bearing::radians(ray.azimuth_rad),

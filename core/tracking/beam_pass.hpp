@@ -7,10 +7,11 @@
 
 namespace echotrail {
 
-/// Part of the horizon that is scanned, from north.
+/// The part of the operator's sector that is scanned, from north.
 struct WatchedSector {
     Bearing centre;
     double half_width_rad = 0.0;
+    double whole_width_rad = 0.0;  ///< of the operator's sector
     bool holds(Bearing azimuth) const;
 };
 

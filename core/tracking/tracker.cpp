@@ -41,6 +41,7 @@ void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions,
     if (beam.sweep_ended && !isPartOfSweep()) endSweep();
     const double passed_s = secondsBetween(beam_.time, beam.time);  // watched or not
     beam_ = beam;
+    scanned_turn_rad_ += beam.step_rad;
     scanned_area_m2_ += beam.step_rad * beam.far_m * beam.far_m / 2.0;
     for (FollowedTrack& followed : followed_) {
         const ExpectedPlace place = expectedPlace(predict(followed, beam.time), beam.head);
@@ -87,7 +88,9 @@ void Tracker::waitUnwatched(FollowedTrack& followed, const ExpectedPlace& place,
 
 /// Whether what has been scanned is only a part of the operator's sector: sweeps are counted when there is as much of
 /// them as of a whole one, so that what goes by sweeps goes no faster where the head follows the target.
-bool Tracker::isPartOfSweep() const { return beam_.watched && scanned_area_m2_ < swept_area_m2_; }
+bool Tracker::isPartOfSweep() const {
+    return beam_.watched && scanned_turn_rad_ + beam_.step_rad / 2.0 < beam_.watched->whole_width_rad;
+}
 
 std::optional<TargetOutlook> Tracker::targetAt(Timestamp time) const {
     for (const FollowedTrack& followed : followed_) {
@@ -274,6 +277,7 @@ void Tracker::endSweep() {
     clutter_per_sweep_ = memory * clutter_per_sweep_ + (1.0 - memory) * unclaimed_;
     swept_area_m2_ = scanned_area_m2_;
     scanned_area_m2_ = 0.0;
+    scanned_turn_rad_ = 0.0;
     unclaimed_ = 0;
     mergeTracks();
 }

@@ -237,6 +237,7 @@ private:
     double clutter_excess_db_ = 4.0;  ///< running mean of how far such regions exceed the faintest
     double clutter_score_ = 0.25;     ///< running mean likeness of regions that were nobody's echo
     double scanned_area_m2_ = 0.0;    ///< in this sweep
+    double scanned_turn_rad_ = 0.0;   ///< in this sweep
     int unclaimed_ = 0;               ///< regions in this sweep that were nobody's echo
 };
 

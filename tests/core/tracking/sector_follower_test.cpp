@@ -24,8 +24,8 @@ FollowParams following() { return {.follow_target = true, .follow_look_round_s =
 /// A follower whose beam has been all over the operator's sector, and goes on to be where it is told.
 class Head {
 public:
-    explicit Head(const FollowParams& params = following(), const HeadSettings& settings = {})
-        : follower(params), settings(settings) {
+    explicit Head(const FollowParams& params = following(), const HeadSettings& operators = {})
+        : follower(params), settings(operators) {
         const ScanSector all = scanSector(settings);
         for (double at = 0; at <= all.width_deg; at += step_deg)
             choose(std::nullopt, (all.left() + radiansFromDegrees(at)).inDegrees());
