@@ -33,7 +33,7 @@ constexpr int default_trials = 20;
 constexpr int most_trials = 10'000;
 
 struct EvaluateArguments {
-    std::vector<std::string> scenes, parameter_files, requirements;
+    std::vector<std::string> scenes, parameter_files, assignments, requirements;
     std::string truth, json, html;
     int trials = default_trials;
     std::uint64_t seed = default_scenario_seed;
@@ -102,7 +102,8 @@ Result<std::vector<EvaluationPlan::Scene>> scenesOf(const EvaluateArguments& arg
     return scenes;
 }
 
-/// One for each set of parameters that is named; the default before them, unless it is among them.
+/// One for each set of parameters that is named; the default before them, unless it is among them; and last the
+/// default with what --set says.
 Result<std::vector<EvaluationPlan::Column>> columnsOf(const EvaluateArguments& arguments) {
     std::vector<std::string> names = arguments.parameter_files;
     if (!isAmong(default_title, names)) names.insert(names.begin(), std::string(default_title));
@@ -121,6 +122,12 @@ Result<std::vector<EvaluationPlan::Column>> columnsOf(const EvaluateArguments& a
         }
         columns.push_back(std::move(column));
     }
+    if (arguments.assignments.empty()) return columns;
+    const auto settings = readSettings({}, arguments.assignments);
+    if (!settings) return Error{settings.error()};
+    std::string title;
+    for (const std::string& assignment : arguments.assignments) title += (title.empty() ? "" : ", ") + assignment;
+    columns.push_back({std::move(title), settings->params, settings->sound_speed});
     return columns;
 }
 
@@ -141,10 +148,12 @@ Result<std::vector<Requirement>> requirementsOf(const EvaluateArguments& argumen
     return requirements;
 }
 
-/// Without a column's name those that were asked for by --parameters are judged; where there are none, the default.
-void judge(const std::vector<Requirement>& requirements, const std::vector<std::string>& parameter_files,
+/// Without a column's name those that were asked for by --parameters and --set are judged; where there are none, the
+/// default.
+void judge(const std::vector<Requirement>& requirements, const EvaluateArguments& arguments,
            EvaluationReport& report) {
-    const bool default_counts = parameter_files.empty() || isAmong(default_title, parameter_files);
+    const bool default_counts = (arguments.parameter_files.empty() && arguments.assignments.empty()) ||
+                                isAmong(default_title, arguments.parameter_files);
     for (const Requirement& requirement : requirements)
         for (std::size_t s = 0; s < report.scenes.size(); ++s)
             for (std::size_t c = 0; c < report.columns.size(); ++c) {
@@ -260,7 +269,7 @@ ExitCode evaluate(const EvaluateArguments& arguments) {
     }();
     if (!report) return fail(ExitCode::Failed, report.error());
     report->program = "echotrail " ECHOTRAIL_VERSION;
-    judge(*requirements, arguments.parameter_files, *report);
+    judge(*requirements, arguments, *report);
     return conclude(*report, json, html);
 }
 
@@ -299,11 +308,13 @@ Command addEvaluateCommand(CLI::App& program) {
         "--parameters", a->parameter_files,
         "TOML file of parameters, or a preset's name (" + presetNames() +
             "): a column beside the default's; may be given more than once, 'default' puts that one in place");
+    command->add_option("--set", a->assignments,
+                        "NAME=VALUE of a parameter, as in follow_target=true: a last column, the default with it");
     command->add_option("--json", a->json, "Write every figure and trial as JSON; - is standard output");
     command->add_option("--html", a->html, "Write one page with tables and pictures; - is standard output");
     command->add_option(
         "--require", a->requirements,
-        "NAME=VALUE that every scene has to keep, or exit code 3; asked of the columns of --parameters, or "
+        "NAME=VALUE that every scene has to keep, or exit code 3; asked of the columns of --parameters and --set, or "
         "of the default where there are none; COLUMN:NAME=VALUE, SCENE/NAME=VALUE and "
         "COLUMN:SCENE/NAME=VALUE ask it of those alone");
     command

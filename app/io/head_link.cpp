@@ -50,7 +50,7 @@ std::string headStateText(seanet::HeadState state) {
 }
 
 HeadLink::HeadLink(const LiveAddresses& addresses, const HeadSettings& settings, LiveRunner& runner)
-    : addresses_(addresses), runner_(runner), session_(settings) {
+    : addresses_(addresses), runner_(runner), settings_(settings), session_(settings) {
     if (addresses_.hasNavigation()) {
         current_.navigation.emplace();
         // Said first of all, so that pings wait for poses from the first one on.
@@ -99,8 +99,17 @@ void HeadLink::close() {
 }
 
 void HeadLink::setSettings(const HeadSettings& settings) {
-    session_.setSettings(now(), settings);
+    settings_ = settings;
+    aim();
     converse();
+}
+
+/// Tells the session what the head is to scan. What the runner wants was chosen at the last ping: where the operator has
+/// set another sector since, it is heeded only within that one.
+void HeadLink::aim() {
+    const auto wanted = runner_.sector();
+    const bool follows = wanted && contains(scanSector(settings_), *wanted);
+    session_.setSettings(now(), follows ? withSector(settings_, *wanted) : settings_);
 }
 
 void HeadLink::connectSonar() {
@@ -122,6 +131,7 @@ void HeadLink::connectSonar() {
         const auto payload = bytesOf(bytes);
         runner_.post(EventKind::SonarBytes, payload);
         current_.sonar.last_bytes = std::chrono::steady_clock::now();
+        aim();
         session_.received(now(), payload);
         converse();
     });
@@ -143,6 +153,10 @@ void HeadLink::connectNavigation() {
     connect(navigation_.get(), &ByteChannel::received, this, [this](const QByteArray& bytes) {
         runner_.post(EventKind::NavigationBytes, bytesOf(bytes));
         current_.navigation->last_bytes = std::chrono::steady_clock::now();
+        if (current_.sonar.up) {  // a ping that waited for these poses may have told where to look next
+            aim();
+            converse();
+        }
         publish();
     });
 }

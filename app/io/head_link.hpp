@@ -42,6 +42,7 @@ public:
     void open();
     /// Ends both links; open() may follow.
     void close();
+    /// The operator's: the head scans their sector, or where it follows the target what the runner wants of it.
     void setSettings(const HeadSettings& settings);
     HeadLinkState state() const;
 
@@ -52,6 +53,7 @@ Q_SIGNALS:
 private:
     void connectSonar();
     void connectNavigation();
+    void aim();
     void converse();
     void noteHead(const seanet::HeadStatus& status);
     void publish();
@@ -59,6 +61,7 @@ private:
 
     const LiveAddresses addresses_;
     LiveRunner& runner_;
+    HeadSettings settings_;  ///< the operator's
     seanet::HeadSession session_;
     std::unique_ptr<ByteChannel> sonar_, navigation_;
     QTimer deadline_{this};

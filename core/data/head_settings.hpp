@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/parameters.hpp"
+#include "core/data/scan_sector.hpp"
 
 namespace echotrail {
 
@@ -48,5 +49,15 @@ struct Described<HeadSettings> {
         Field{&HeadSettings::mount_starboard_m, "mount_starboard_m", "m", -50, 50,
               "The head lies this far to starboard of the point that navigation reports", Effect::NextSweep}};
 };
+
+inline ScanSector scanSector(const HeadSettings& settings) {
+    return {settings.sector_centre_deg, settings.sector_width_deg};
+}
+/// The same settings with another sector.
+inline HeadSettings withSector(HeadSettings settings, const ScanSector& sector) {
+    settings.sector_centre_deg = sector.centre_deg;
+    settings.sector_width_deg = sector.width_deg;
+    return settings;
+}
 
 }  // namespace echotrail

@@ -155,6 +155,12 @@ Value opportunities(const Summary& summary) {
     return MetricValue{static_cast<double>(summary.pooled.opportunities) / static_cast<double>(summary.trials.size())};
 }
 
+Value looksPerSecond(const Summary& summary) {
+    return meanOver(summary, [](const TrialMetrics& trial) {
+        return trial.data_s > 0 ? std::optional(static_cast<double>(trial.correct) / trial.data_s) : std::nullopt;
+    });
+}
+
 Value reacquisition(const Summary& summary) {
     const FiveNumbers numbers = fiveNumbers(summary.pooled.reacquired_after_s);
     if (summary.pooled.reacquired_after_s.empty()) return std::nullopt;
@@ -211,6 +217,11 @@ constexpr std::array metrics{
            rms<&M::of_correct>, nullptr, true},
     Metric{"rmse_output_m", "RMS error of position, all outputs", "m", 2, Lower, "Root mean square over all outputs",
            rms<&M::of_all>},
+    Metric{"report_mean_m", "Mean error of reports", "m", 2, Lower,
+           "Distance between the target and where it is said to be by then, at every ping while its track lives",
+           meanDeviation<&M::of_reports>, nullptr, true},
+    Metric{"report_max_m", "Greatest error of reports", "m", 2, Lower,
+           "The greatest in a trial; median over trials", greatestDeviation<&M::of_reports>},
     Metric{"rmse_velocity_mps", "RMS error of velocity", "m/s", 3, Lower, "Root mean square over correct looks",
            [](const Summary& s) { return s.pooled.velocity_known ? rms<&M::velocity_of_correct>(s) : Value(); },
            nullptr, true},
@@ -278,6 +289,9 @@ constexpr std::array metrics{
            nullptr, true},
     Metric{"opportunities", "Opportunities", "per trial", 1, Higher, "Sweeps whose scanned area held the target",
            opportunities, [](const P& p) { return std::optional(static_cast<double>(p.looks)); }},
+    Metric{"looks_per_s", "Looks per second", "1/s", 3, Higher,
+           "Correct looks at the target over all of the time; more where the head follows it",
+           looksPerSecond, nullptr, true},
     Metric{
         "processing_ms", "Processor time", "ms per ping", 3, Lower,
         "Of the pipeline alone, on the machine that made this report",

@@ -75,6 +75,7 @@ void pool(const TrialMetrics& trial, TrialMetrics& sum) {
     sum.of_coasted.add(trial.of_coasted);
     sum.of_wrong.add(trial.of_wrong);
     sum.of_all.add(trial.of_all);
+    sum.of_reports.add(trial.of_reports);
     sum.velocity_of_correct.add(trial.velocity_of_correct);
     sum.velocity_known = sum.velocity_known && trial.velocity_known;
     sum.consistency_of_correct.add(trial.consistency_of_correct);
@@ -144,6 +145,7 @@ TrialMetrics measure(const TrialResult& trial) {
                          .velocity_known = trial.velocity_known};
     addLooks(trial.looks, metrics);
     addOutputs(trial.outputs, metrics);
+    for (const double error_m : trial.report_errors_m) metrics.of_reports.add(error_m);
     addSnapshots(trial.snapshots, metrics);
     metrics.confirmed_tracks = trial.confirmed_tracks;
     metrics.false_tracks = trial.false_tracks;

@@ -53,6 +53,7 @@ struct TrialMetrics {
     DeviationStatistics of_correct, of_coasted, of_wrong, of_all;
     DeviationStatistics velocity_of_correct;  ///< in m/s
     bool velocity_known = true;               ///< a truth as seen from the head holds no velocities
+    DeviationStatistics of_reports;           ///< at every ping, of the place as predicted for it
     ConsistencyStatistics consistency_of_correct, consistency_of_all;
 
     int sweeps = 0;  ///< with a snapshot

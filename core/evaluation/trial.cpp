@@ -56,8 +56,19 @@ private:
     Timestamp with_track_{};
 };
 
+/// What a report would say now of where the designated track is, beside where it truly is.
+void takeReport(const ScanningSonarPipeline& pipeline, const Truth& truth, const Update& update, TrialResult& result) {
+    const auto told = pipeline.targetAt(update.time);
+    if (!told || (told->state != TrackState::Confirmed && told->state != TrackState::Coasting)) return;
+    if (const auto target = truth.at(followed_target, update.time))
+        result.report_errors_m.push_back((told->expected.mean.head<2>() - placeOf(*target, update.pose)).norm());
+}
+
+using Command = std::function<void(const ScanSector&)>;
+
+/// `command` tells the head what to scan; empty where nobody can.
 TrialResult run(PingSource& source, const Truth& truth, const Scenario* scenario,
-                const ScanningSonarPipeline::Params& params, std::uint64_t seed,
+                const ScanningSonarPipeline::Params& params, std::uint64_t seed, const Command& command,
                 const std::function<bool()>& cancelled) {
     TrialResult result{.scenario = source.info().name,
                        .seed = seed,
@@ -73,6 +84,8 @@ TrialResult run(PingSource& source, const Truth& truth, const Scenario* scenario
         const Update& update = pipeline.process(*ping, source.navigation());
         const bool first = result.pings++ == 0;
         judge.take(*ping, update);
+        takeReport(pipeline, truth, update, result);
+        if (command) command(pipeline.sector().value_or(scanSector(params.head)));
         if (first || update.sweep_ended) person.watch(update, pipeline, result);
         if (update.sweep_ended) {
             judge.endSweep(update, pipeline.tracks());
@@ -125,12 +138,16 @@ std::string_view toText(LossCause cause) {
 TrialResult runTrial(SimulatedSource& source, const ScanningSonarPipeline::Params& params, std::uint64_t seed,
                      const std::function<bool()>& cancelled) {
     const Truth truth(source.truth());
-    return run(source, truth, &source.scenario(), params, seed, cancelled);
+    ScanningSonarPipeline::Params limited = params;
+    limited.head = withSector(params.head, scanSector(source.scenario()));
+    const Command command = [&source](const ScanSector& sector) { source.command(sector); };
+    return run(source, truth, &source.scenario(), limited, seed,
+               params.follow.follow_target ? command : Command(), cancelled);
 }
 
 TrialResult runTrial(PingSource& source, const Truth& truth, const ScanningSonarPipeline::Params& params,
                      std::uint64_t seed, const std::function<bool()>& cancelled) {
-    return run(source, truth, nullptr, params, seed, cancelled);
+    return run(source, truth, nullptr, params, seed, {}, cancelled);
 }
 
 }  // namespace echotrail

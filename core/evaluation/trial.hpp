@@ -83,6 +83,9 @@ struct TrialResult {
     bool velocity_known = true;            ///< a truth as seen from the head holds no velocities
     std::vector<EvaluatedLook> looks;      ///< in time order
     std::vector<EvaluatedOutput> outputs;  ///< in time order
+    /// Distances from the target's true place to where a report would have said that it is by then: at every ping while
+    /// the designated track was confirmed or coasting.
+    std::vector<double> report_errors_m;
     std::vector<SweepSnapshot> snapshots;
     int confirmed_tracks = 0;  ///< ever
     int false_tracks = 0;      ///< confirmed ones that never followed anything real
@@ -97,7 +100,8 @@ struct TrialResult {
     int sweeps_unfinished = 0;      ///< no opportunities: the data ended before the beam came by
 };
 
-/// Runs the pipeline over a simulation with an operator who points at the target's true place at the start, and again
+/// Runs the pipeline over a simulation whose head scans what the pipeline wants it to (`follow_target`), within the
+/// scenario's own sector, with an operator who points at the target's true place at the start, and again
 /// when there has been no track of it for 30 s, or the designated one has been further than 15 % of the range scale
 /// away for 60 s. Stops early, with what there is, when `cancelled` says so (asked once per sweep).
 TrialResult runTrial(SimulatedSource& source, const ScanningSonarPipeline::Params& params, std::uint64_t seed,

@@ -8,13 +8,14 @@ namespace {
 
 constexpr double high_frequency_hz = 500e3;  // between the two channels of a SeaKing, 325 and 675 kHz
 constexpr double pick_radius_m = 3.0, pick_radius_share = 0.1;
+constexpr Microseconds next_look{1'000'000};  // about what a narrow sector takes to be scanned
 
 double pickRadius(double range_m) { return std::max(pick_radius_m, pick_radius_share * range_m); }
 
 }  // namespace
 
 ScanningSonarPipeline::ScanningSonarPipeline(const Params& params, std::uint64_t seed)
-    : params_(params), fan_(params.fan), regions_(params.regions), tracker_(params.tracker, seed) {}
+    : params_(params), fan_(params.fan), regions_(params.regions), tracker_(params.tracker, seed), follower_(params.follow) {}
 
 const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory& navigation) {
     update_ = Update{.ping = ping.sequence, .time = ping.time, .sweep = sweeps_};
@@ -49,6 +50,9 @@ const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory
         update_.looks);
     applyPick();
 
+    // Where will it be next? There the head may look next.
+    follower_.choose(tracker_.targetAt(ping.time + next_look), beam_, params_.head);
+
     sweeps_ += step.sweep_ended;
     update_.sweep = sweeps_;
     update_.sweep_ended = step.sweep_ended;
@@ -78,6 +82,10 @@ BeamMoment ScanningSonarPipeline::beamOf(const Ping& ping, const Ray& ray, const
     const LikenessParams& likeness = params_.tracker.likeness;
     const bool high = ping.frequency_hz >= high_frequency_hz;
     const Eigen::Vector2d origin = ray.at(0.0);
+    std::optional<WatchedSector> watched;
+    if (const auto& sector = follower_.chosen())
+        watched = WatchedSector{Bearing::degrees(sector->centre_deg) + vehicle_.heading.inRadians(),
+                   radiansFromDegrees(sector->width_deg / 2.0), radiansFromDegrees(params_.head.sector_width_deg)};
     return {.time = ping.time,
             .head = {origin.x(), origin.y(), vehicle_.heading},
             .azimuth = Bearing::radians(ray.azimuth_rad),
@@ -89,7 +97,8 @@ BeamMoment ScanningSonarPipeline::beamOf(const Ping& ping, const Ray& ray, const
             .faintest_db = params_.regions.screen.seed_excess_db - params_.regions.screen.interest_lowering_db,
             .turned_round = step.turned_round,
             .sweep_ended = step.sweep_ended,
-            .navigation_known = navigation_known};
+            .navigation_known = navigation_known,
+            .watched = watched};
 }
 
 void ScanningSonarPipeline::setParams(const Params& params) {
@@ -97,6 +106,7 @@ void ScanningSonarPipeline::setParams(const Params& params) {
     fan_.setParams(params.fan);
     regions_.setParams(params.regions);
     tracker_.setParams(params.tracker);
+    follower_.setParams(params.follow);
 }
 
 void ScanningSonarPipeline::designate(double range_m, Bearing from_bow) {

@@ -46,6 +46,7 @@ public:
         LocalEnhancementParams enhancement;  ///< for the eye; the pipeline itself does not use it
         RegionFinderParams regions;
         Tracker::Params tracker;
+        FollowParams follow;
     };
 
     ScanningSonarPipeline(const Params& params, std::uint64_t seed);
@@ -75,6 +76,11 @@ public:
     std::vector<Track> tracks() const { return tracker_.tracks(); }
     /// The picture so far, in the local frame; empty before the first wedge, or when painting is off.
     const FanImage& fan() const { return fan_.image(); }
+    /// What the head is to scan from here on: about the target, where it follows it (`follow_target`); nothing where
+    /// the sector of Params is to be scanned. A recording has been scanned as it was: there this changes nothing.
+    const std::optional<ScanSector>& sector() const { return follower_.chosen(); }
+    /// The target as it is expected at `time`; nothing where there is none.
+    std::optional<TargetOutlook> targetAt(Timestamp time) const { return tracker_.targetAt(time); }
     /// The last ping's echo line with its detection threshold; empty before the first one.
     BeamLine lastLine() const;
     /// No look that is still to come is of an earlier time; so what is older can be written in order.
@@ -101,6 +107,7 @@ private:
     FanProjector fan_;
     RegionFinder regions_;
     Tracker tracker_;
+    SectorFollower follower_;
     SweepFollower sweep_;
     Update update_;
     Pose vehicle_;     ///< at the last ping
@@ -118,7 +125,7 @@ template <>
 struct Described<ScanningSonarPipeline::Params> {
     using P = ScanningSonarPipeline::Params;
     static constexpr auto stages =
-        std::tuple{&P::head, &P::navigation, &P::fan, &P::enhancement, &P::regions, &P::tracker};
+        std::tuple{&P::head, &P::navigation, &P::fan, &P::enhancement, &P::regions, &P::tracker, &P::follow};
 };
 
 }  // namespace echotrail

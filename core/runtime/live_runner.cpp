@@ -145,6 +145,10 @@ void LiveRunner::process(const Ping& ping) {
     processing_s_ += took_s;
     ++taken_;
     without_pose_ += last_update_.navigation_gap;
+    {
+        const std::scoped_lock lock(status_mutex_);
+        sector_ = pipeline_.sector();
+    }
     last_ping_ = ping;
     builder_.add(last_ping_, last_update_, took_s, pipeline_);
     tell(last_update_, pipeline_.settledUntil());
@@ -196,6 +200,11 @@ void LiveRunner::updateStatus(Microseconds arrived) {
     status_.processing_s = processing_s_;
     status_.first_ping = first_ping_;
     if (taken_ > 0) status_.last_ping = last_ping_.time;
+}
+
+std::optional<ScanSector> LiveRunner::sector() const {
+    const std::scoped_lock lock(status_mutex_);
+    return sector_;
 }
 
 LiveStatus LiveRunner::status() const {

@@ -79,6 +79,9 @@ public:
 
     Latest<Scene>& scenes() { return scenes_; }
     LiveStatus status() const;
+    /// What the head is to scan, where it follows the target (ScanningSonarPipeline::sector()), as of the last ping;
+    /// nothing where it is to scan the sector of the parameters. From any thread.
+    std::optional<ScanSector> sector() const;
     /// The ping of the update that the listener is told of, and whether poses are measured: for the listener only, on
     /// the pipeline's thread.
     const Ping& lastPing() const { return last_ping_; }
@@ -126,6 +129,7 @@ private:
 
     mutable std::mutex status_mutex_;
     LiveStatus status_;
+    std::optional<ScanSector> sector_;
     Latest<Scene> scenes_;
     std::jthread thread_;  // last, so that it ends before what it uses
 };

@@ -171,8 +171,12 @@ HeadSetup headSetup(const Scenario& scenario, std::uint64_t number) {
 }
 
 Ping simulatePing(const Scenario& scenario, std::uint64_t seed, std::uint64_t number) {
+    return simulatePing(scenario, seed, number, headSetup(scenario, number), sweepOf(scenario, number).clockwise());
+}
+
+Ping simulatePing(const Scenario& scenario, std::uint64_t seed, std::uint64_t number, const HeadSetup& head,
+                  bool clockwise) {
     const double ping_s = pingTime(scenario, number);
-    const HeadSetup head = headSetup(scenario, number);
     return {.sequence = number,
             .time = simulation_start + microsecondsFromSeconds(ping_s),
             .bearing = head.bearing,
@@ -182,7 +186,7 @@ Ping simulatePing(const Scenario& scenario, std::uint64_t seed, std::uint64_t nu
             .sound_speed_mps = head.sound_speed,
             .frequency_hz = head.frequency_hz,
             .gain_percent = head.gain_db / gain_db_per_percent,
-            .clockwise = sweepOf(scenario, number).clockwise(),
+            .clockwise = clockwise,
             .levels = simulateEcho(scenario, seed, head, ping_s, number)};
 }
 

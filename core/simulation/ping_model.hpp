@@ -32,7 +32,11 @@ std::vector<std::uint8_t> simulateEcho(const Scenario& scenario, std::uint64_t s
 /// How the scenario's own head is set for a ping: 800 bins of 8 bits at the usual gain.
 HeadSetup headSetup(const Scenario& scenario, std::uint64_t number);
 
-/// One ping of the scenario's own scan: simulateEcho as that head hears it.
+/// What a head that is set like this makes of the transmission at pingTime(number): simulateEcho as it hears it.
+Ping simulatePing(const Scenario& scenario, std::uint64_t seed, std::uint64_t number, const HeadSetup& head,
+                  bool clockwise);
+
+/// One ping of the scenario's own scan.
 Ping simulatePing(const Scenario& scenario, std::uint64_t seed, std::uint64_t number);
 
 }  // namespace echotrail

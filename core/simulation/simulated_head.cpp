@@ -16,7 +16,7 @@ using seanet::MessageId;
 
 namespace {
 
-constexpr int turn_units = 6400, ahead_units = 3200;
+constexpr int turn_units = ScanMotion::turn_units, ahead_units = ScanMotion::ahead_units;
 constexpr double tick_s = 640e-9, decibels_per_level = 80.0 / 255.0;
 constexpr std::uint16_t eight_bit = 0x0001, continuous = 0x0002, scan_right = 0x0004, second_channel = 0x0080,
                         stare = 0x1000;
@@ -28,8 +28,6 @@ constexpr Microseconds longest_silence = 200ms;
 constexpr Microseconds piece_time = 4ms;
 
 std::uint8_t id(MessageId message) { return static_cast<std::uint8_t>(message); }
-
-int wrapped(int units) { return ((units % turn_units) + turn_units) % turn_units; }
 
 /// Two bins in a byte, the nearer in its high half; 0…15 over the window from `low` on.
 std::vector<std::uint8_t> packed(const std::vector<std::uint8_t>& levels, int low, int span) {
@@ -46,7 +44,7 @@ std::vector<std::uint8_t> packed(const std::vector<std::uint8_t>& levels, int lo
 }  // namespace
 
 SimulatedHead::SimulatedHead(const SimulatedHeadOptions& options, EchoFunction echo)
-    : options_(options), echo_(std::move(echo)) {
+    : options_(options), echo_(std::move(echo)), motion_(options.model == HeadModel::Dst) {
     assert(options.baud > 0 && options.interval_multiple > 0 && echo_);
 }
 
@@ -65,8 +63,8 @@ void SimulatedHead::powerUp(Microseconds now) {
     lines_due_.clear();
     ready_ = centred_;
     last_active_ = centred_;
-    position_ = ahead_units;
-    clockwise_ = true;
+    motion_.centre();
+    motion_.setClockwise(true);
     output_.clear();
     line_free_ = now;
 }
@@ -142,7 +140,7 @@ void SimulatedHead::sendAlive(Microseconds now) {
     };
     const bool centring = now < centred_, rests = asleep(now);
     // The transducer is back at its centre some time before the head is content with it.
-    const bool away = centring ? now < centred_ - (centred_ - booted_) / 2 : position_ != ahead_units && !rests;
+    const bool away = centring ? now < centred_ - (centred_ - booted_) / 2 : motion_.position() != ahead_units && !rests;
     const bool needs_parameters = !command_ || now < validated_;
     unsigned info = centring ? InCentre | Motoring : Centred;
     if (!rests) info |= MotorOn;
@@ -153,7 +151,7 @@ void SimulatedHead::sendAlive(Microseconds now) {
     seanet::ByteWriter payload;
     payload.u8(dst() || needs_parameters ? 0x80 : 0x00);
     payload.u32(clock_ms_ + static_cast<std::uint32_t>((now - clock_set_) / 1ms));
-    payload.u16(static_cast<unsigned>(rests ? ahead_units : position_)).u8(info);
+    payload.u16(static_cast<unsigned>(rests ? ahead_units : motion_.position())).u8(info);
     send(now, seanet::makeFrame(node(), host, id(MessageId::Alive), single, node(), payload.bytes()));
 }
 
@@ -212,7 +210,7 @@ void SimulatedHead::takeHeadCommand(Microseconds now, seanet::Bytes payload) {
     constexpr std::uint8_t reverse_scan = 15;
     auto& latest = next_command_ ? next_command_ : command_;
     if (payload.size() == 1 && payload[0] == reverse_scan) {
-        clockwise_ = !clockwise_;
+        motion_.setClockwise(!motion_.clockwise());
         return;
     }
     if (const auto gains = seanet::decodeGains(payload)) {
@@ -236,12 +234,15 @@ void SimulatedHead::takeHeadCommand(Microseconds now, seanet::Bytes payload) {
     }
     if (!command_) validated_ = now + validation;
     setCommand(*command);
-    if (triggers_ > 0) enterSector(now);
+    if (triggers_ > 0) turned(now, motion_.enter());
 }
 
 void SimulatedHead::setCommand(const seanet::HeadCommand& command) {
     command_ = command;
-    if (command.head_control & continuous) clockwise_ = command.head_control & scan_right;
+    const bool round = command.head_control & continuous;
+    motion_.setLimits({command.left_limit, command.right_limit, command.step, round,
+                       static_cast<bool>(command.head_control & stare)});
+    if (round) motion_.setClockwise(command.head_control & scan_right);
 }
 
 void SimulatedHead::takeTrigger(Microseconds now, seanet::Bytes payload) {
@@ -253,8 +254,8 @@ void SimulatedHead::takeTrigger(Microseconds now, seanet::Bytes payload) {
     const std::size_t held = lines_due_.size() + static_cast<std::size_t>(triggers_) + (ping_ ? 1 : 0);
     const std::size_t room = options_.half_duplex ? 1 : 2;
     if (held >= room) return ignore("trigger_too_many");
-    if (asleep(now)) position_ = ahead_units;
-    if (held == 0) enterSector(now);
+    if (asleep(now)) motion_.centre();
+    if (held == 0) turned(now, motion_.enter());
     // From rest a head with wires of its own gives two lines: so there is always one trigger in hand.
     triggers_ += held == 0 && !options_.half_duplex ? 2 : 1;
     last_active_ = now;
@@ -279,9 +280,9 @@ void SimulatedHead::finishPing(Microseconds now) {
     const Microseconds still = options_.half_duplex ? line_free_ : now;
     if (next_command_) {
         setCommand(*std::exchange(next_command_, std::nullopt));
-        enterSector(still);
+        turned(still, motion_.enter());
     } else {
-        turn(still);
+        turned(still, motion_.step());
     }
 }
 
@@ -301,7 +302,7 @@ HeadSetup SimulatedHead::setup() const {
     head.range_m = seanet::rangeScaleMetres(command_->range_scale);
     head.bins = command_->bins;
     head.bin_interval_s = command_->ad_interval * tick_s;
-    head.bearing = Bearing::degrees((position_ - ahead_units) * 360.0 / turn_units);
+    head.bearing = Bearing::degrees((motion_.position() - ahead_units) * 360.0 / turn_units);
     head.step_rad = radiansFromDegrees(command_->step * 360.0 / turn_units);
     head.frequency_hz = told ? seanet::frequencyOf(word) : head_channel_hz[channel()];
     head.gain_db = window.gain[channel()] * 80.0 / 210.0;
@@ -318,9 +319,8 @@ seanet::HeadData SimulatedHead::lineOf(const std::vector<std::uint8_t>& levels) 
     seanet::HeadData line;
     line.device_type = dst() ? 0x11 : 2;
     line.status = c.head_control & eight_bit ? 0x10 : 0;
-    if (const Sector s = sector(); dst() && !(c.head_control & continuous) && s.first != s.last)
-        line.sweep_code = offsetIn(s) == s.first ? 1 : offsetIn(s) == s.last ? 2 : 0;
-    line.head_control = static_cast<std::uint16_t>((c.head_control & ~scan_right) | (clockwise_ ? scan_right : 0));
+    if (dst()) line.sweep_code = motion_.end() < 0 ? 1 : motion_.end() > 0 ? 2 : 0;
+    line.head_control = static_cast<std::uint16_t>((c.head_control & ~scan_right) | (motion_.clockwise() ? scan_right : 0));
     line.range_scale = c.range_scale;
     line.transmit_word = c.transmit_word[channel()];
     line.gain = window.gain[channel()];
@@ -331,64 +331,14 @@ seanet::HeadData SimulatedHead::lineOf(const std::vector<std::uint8_t>& levels) 
     line.left_limit = c.left_limit;
     line.right_limit = c.right_limit;
     line.step = c.step;
-    line.bearing = static_cast<std::uint16_t>(position_);
+    line.bearing = static_cast<std::uint16_t>(motion_.position());
     line.data = c.head_control & eight_bit ? levels : packed(levels, line.ad_low, line.ad_span);
     return line;
 }
 
-/// Where the beam goes to and fro, as captures show it: a digital head counts its steps from the right limit and
-/// reaches both; an old one keeps to multiples of its step and so may pass the left limit.
-SimulatedHead::Sector SimulatedHead::sector() const {
-    const seanet::HeadCommand& c = *command_;
-    const int left = c.left_limit, width = wrapped(c.right_limit - left);
-    if (c.head_control & stare || width == 0) return {left, 0, 0};
-    if (dst()) return {left, 0, width};
-    return {left, left / c.step * c.step - left, (left + width) / c.step * c.step - left};
-}
-
-int SimulatedHead::offsetIn(const Sector& s) const {
-    const int offset = wrapped(position_ - s.left);
-    return offset - turn_units >= s.first ? offset - turn_units : offset;
-}
-
-void SimulatedHead::moveTo(Microseconds now, int position) {
-    const int way = wrapped(position - position_);
-    ready_ = std::max(ready_, now + std::min(way, turn_units - way) * command_->motor_time * 10us);
-    position_ = wrapped(position);
-}
-
-void SimulatedHead::enterSector(Microseconds now) {
-    if (command_->head_control & continuous) return moveTo(now, position_);
-    const Sector s = sector();
-    const int step = command_->step;
-    int offset = offsetIn(s);
-    if (offset > s.last) offset = offset - s.last < turn_units + s.first - offset ? s.last : s.first;
-    if (offset != s.first) offset = std::max(s.last - (s.last - offset + step / 2) / step * step, s.first);
-    moveTo(now, s.left + offset);
-    if (dst()) reverseAtLimit(s);
-}
-
-void SimulatedHead::turn(Microseconds now) {
-    const int step = command_->step;
-    if (command_->head_control & continuous) return moveTo(now, position_ + (clockwise_ ? step : -step));
-    const Sector s = sector();
-    const int offset = offsetIn(s);
-    if (!dst() && offset == (clockwise_ ? s.last : s.first)) {  // an old head gives two lines at each end
-        if (s.first != s.last) clockwise_ = !clockwise_;
-        return moveTo(now, position_);
-    }
-    // Steps count from the last bearing: only the one next to the first may be shorter.
-    const int short_step = (s.last - offset) % step;
-    const int next = clockwise_ ? offset + (short_step ? short_step : step) : offset - step;
-    moveTo(now, s.left + std::clamp(next, s.first, s.last));
-    if (dst()) reverseAtLimit(s);
-}
-
-/// Digital heads tell the new direction with the line at the limit itself.
-void SimulatedHead::reverseAtLimit(const Sector& s) {
-    if (s.first == s.last) return;
-    if (offsetIn(s) == s.first) clockwise_ = true;
-    if (offsetIn(s) == s.last) clockwise_ = false;
+/// The motor has turned by so many units.
+void SimulatedHead::turned(Microseconds now, int units) {
+    ready_ = std::max(ready_, now + units * command_->motor_time * 10us);
 }
 
 }  // namespace echotrail

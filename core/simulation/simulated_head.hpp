@@ -5,6 +5,7 @@
 #include "core/seanet/commands.hpp"
 #include "core/seanet/head_data.hpp"
 #include "core/simulation/head_setup.hpp"
+#include "core/simulation/scan_motion.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -86,10 +87,6 @@ public:
     const std::map<std::string, std::uint64_t>& ignored() const { return ignored_; }
 
 private:
-    /// The way to and fro between two bearings, in 1/16 gradian from the left limit.
-    struct Sector {
-        int left = 0, first = 0, last = 0;
-    };
     struct Transmission {
         Microseconds end{};
         seanet::HeadData line;
@@ -111,12 +108,7 @@ private:
     seanet::ChannelGains gains() const;
     seanet::HeadData lineOf(const std::vector<std::uint8_t>& levels) const;
     HeadSetup setup() const;
-    Sector sector() const;
-    int offsetIn(const Sector& sector) const;
-    void moveTo(Microseconds now, int position);
-    void turn(Microseconds now);
-    void enterSector(Microseconds now);
-    void reverseAtLimit(const Sector& sector);
+    void turned(Microseconds now, int units);
     void sendAlive(Microseconds now);
     void sendBlock(Microseconds now);
     void send(Microseconds now, const std::vector<std::uint8_t>& frame);
@@ -139,8 +131,7 @@ private:
     std::optional<Transmission> ping_;                 ///< under way
     std::deque<Microseconds> lines_due_;               ///< when each line that is being sent will be through
     Microseconds ready_{};                             ///< the motor stands still from then on
-    int position_ = 3200;                              ///< of the transducer, 1/16 gradian
-    bool clockwise_ = true;
+    ScanMotion motion_;
     std::deque<TimedBytes> output_;
     Microseconds line_free_{};
 };

@@ -57,7 +57,32 @@ SimulatedSource::SimulatedSource(Scenario scenario, std::uint64_t seed)
         navigation_.add({info_.start + microsecondsFromSeconds(sample.time_s), sample.pose});
 }
 
+void SimulatedSource::rewind() {
+    next_ = 0;
+    scan_.reset();
+}
+
+void SimulatedSource::command(const ScanSector& sector) {
+    if (!scan_) {  // it has scanned on by itself so far
+        scan_.emplace(scenario_);
+        for (std::uint64_t ping = 0; ping < next_; ++ping) scan_->next();
+        given_ = next_;
+    }
+    scan_->command(sector);
+}
+
+std::optional<Ping> SimulatedSource::nextCommanded() {
+    const CommandedScan::Look look = scan_->next();
+    if (look.number >= info_.pings) return std::nullopt;
+    HeadSetup head = headSetup(scenario_, look.number);
+    head.bearing = look.bearing;
+    Ping ping = simulatePing(scenario_, seed_, look.number, head, look.clockwise);
+    ping.sequence = given_++;
+    return ping;
+}
+
 std::optional<Ping> SimulatedSource::next() {
+    if (scan_) return nextCommanded();
     if (next_ == info_.pings) return std::nullopt;
     if (!keep_) return simulatePing(scenario_, seed_, next_++);
     while (kept_.size() <= next_) kept_.push_back(simulatePing(scenario_, seed_, kept_.size()));

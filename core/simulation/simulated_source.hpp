@@ -2,10 +2,12 @@
 
 #include "core/base/result.hpp"
 #include "core/data/source.hpp"
+#include "core/simulation/commanded_scan.hpp"
 #include "core/simulation/scenario.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -31,7 +33,10 @@ public:
     SimulatedSource(Scenario scenario, std::uint64_t seed);
 
     std::optional<Ping> next() override;
-    void rewind() override { next_ = 0; }
+    void rewind() override;
+    /// What the head is to scan from here on, until rewind(); as CommandedScan takes it. Truth and info() stay those of
+    /// the scenario's own scan.
+    void command(const ScanSector& sector);
     /// From here on every ping is kept for the next time round: making one costs more than following targets in it.
     /// About 30 MB for an hour.
     void keepPings() { keep_ = true; }
@@ -45,11 +50,15 @@ public:
     std::vector<TruthSample> truth() const;
 
 private:
+    std::optional<Ping> nextCommanded();
+
     Scenario scenario_;
     std::uint64_t seed_;
     std::uint64_t next_ = 0;
     bool keep_ = false;
     std::vector<Ping> kept_;  ///< the first ones
+    std::optional<CommandedScan> scan_;  ///< of a head that has been commanded
+    std::uint64_t given_ = 0;            ///< by that one
     SourceInfo info_;
     PoseHistory navigation_;
 };

@@ -13,6 +13,8 @@ double normalMass(double low, double high) {
 
 }  // namespace
 
+bool WatchedSector::holds(Bearing azimuth) const { return std::abs(azimuth - centre) <= half_width_rad; }
+
 ExpectedPlace expectedPlace(const GaussianState& predicted, const Pose& head) {
     ExpectedPlace place;
     place.position_m = predicted.mean.head<2>();

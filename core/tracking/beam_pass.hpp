@@ -3,7 +3,17 @@
 #include "core/data/pose.hpp"
 #include "core/data/track.hpp"
 
+#include <optional>
+
 namespace echotrail {
+
+/// The part of the operator's sector that is scanned, from north.
+struct WatchedSector {
+    Bearing centre;
+    double half_width_rad = 0.0;
+    double whole_width_rad = 0.0;  ///< of the operator's sector
+    bool holds(Bearing azimuth) const;
+};
 
 /// One ping as tracking sees it: when, from where, and which way the beam looked.
 struct BeamMoment {
@@ -20,6 +30,8 @@ struct BeamMoment {
     bool turned_round = false;      ///< the beam's movement broke off before this ping: turned, flew back, or a gap
     bool sweep_ended = false;       ///< a sweep was finished before this ping
     bool navigation_known = false;  ///< poses are measured, not assumed
+    /// Where the head follows the target: what is outside is not looked at, and its being unseen says nothing.
+    std::optional<WatchedSector> watched;
 };
 
 /// Where a track's object is expected at one moment, seen from the head.

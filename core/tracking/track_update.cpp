@@ -355,6 +355,7 @@ void Tracker::takeEcho(FollowedTrack& followed, const Region& region, const Pair
     Track& track = followed.track;
     const EchoGeometry geometry = geometryAt(region.range_m);
     followed.quiet_sweeps = 0;
+    followed.unwatched_s = 0.0;
     track.score = pairing.likeness;
     track.nis = pairing.nis;
     track.innovation_m = pairing.innovation_m;

@@ -38,13 +38,16 @@ void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions,
         for (FollowedTrack& followed : followed_) followed.pass.breakOff();
         settle([](double, double) { return false; }, looks);  // what the beam is on now is another pass
     }
-    if (beam.sweep_ended) endSweep();
+    if (beam.sweep_ended && !isPartOfSweep()) endSweep();
+    const double passed_s = secondsBetween(beam_.time, beam.time);  // watched or not
     beam_ = beam;
+    scanned_turn_rad_ += beam.step_rad;
     scanned_area_m2_ += beam.step_rad * beam.far_m * beam.far_m / 2.0;
     for (FollowedTrack& followed : followed_) {
         const ExpectedPlace place = expectedPlace(predict(followed, beam.time), beam.head);
         const double half_width = halfWidth(place);
         followed.pass.follow(beam, place, half_width);
+        waitUnwatched(followed, place, passed_s);
         followed.expected_range_m = place.range_m;
         const double along = gate_sigmas * place.along_sigma_m + followed.track.expected_features.along_range_m;
         followed.track.region_of_interest = {
@@ -69,12 +72,34 @@ void Tracker::giveUpUnseen(std::vector<TrackLook>& looks) {
     for (FollowedTrack& followed : followed_) {
         Track& track = followed.track;
         const bool alive = track.state == TrackState::Confirmed || track.state == TrackState::Coasting;
-        if (!alive || secondsBetween(track.last_seen, beam_.time) <= params_.life.lost_after_s) continue;
+        const double unseen_s = secondsBetween(track.last_seen, beam_.time) - followed.unwatched_s;
+        if (!alive || unseen_s <= params_.life.lost_after_s) continue;
         track.state = TrackState::Lost;
         track.estimate = predict(followed, beam_.time);
         widenSearch(track, params_.life);  // which also bounds it
         looks.push_back(lookOf(followed, beam_.time, false, beam_.head));
     }
+}
+
+/// Where the head follows the target, an object elsewhere cannot be seen, and so is none the worse for it.
+void Tracker::waitUnwatched(FollowedTrack& followed, const ExpectedPlace& place, double passed_s) const {
+    if (beam_.watched && !beam_.watched->holds(place.azimuth)) followed.unwatched_s += passed_s;
+}
+
+/// Whether what has been scanned is only a part of the operator's sector: sweeps are counted when there is as much of
+/// them as of a whole one, so that what goes by sweeps goes no faster where the head follows the target.
+bool Tracker::isPartOfSweep() const {
+    return beam_.watched && scanned_turn_rad_ + beam_.step_rad / 2.0 < beam_.watched->whole_width_rad;
+}
+
+std::optional<TargetOutlook> Tracker::targetAt(Timestamp time) const {
+    for (const FollowedTrack& followed : followed_) {
+        const Track& track = followed.track;
+        if (!track.target) continue;
+        return TargetOutlook{track.state, track.misses, predict(followed, std::max(time, track.estimate.time)),
+                             track.expected_features.across_range_m};
+    }
+    return std::nullopt;
 }
 
 void Tracker::finish(const std::vector<Region>& regions, std::vector<TrackLook>& looks) {
@@ -245,13 +270,14 @@ void Tracker::bear(const Region& region, std::vector<TrackLook>& looks) {
 void Tracker::endSweep() {
     for (FollowedTrack& followed : followed_) {
         followed.track.existence *= params_.life.survival_per_sweep;
-        ++followed.quiet_sweeps;
+        if (followed.unwatched_s == 0.0) ++followed.quiet_sweeps;
     }
     // The given value counts as one sweep; from then on a running mean, and a fading one in the end.
     const double memory = std::min(clutter_memory, 1.0 - 1.0 / (2.0 + sweeps_learned_++));
     clutter_per_sweep_ = memory * clutter_per_sweep_ + (1.0 - memory) * unclaimed_;
     swept_area_m2_ = scanned_area_m2_;
     scanned_area_m2_ = 0.0;
+    scanned_turn_rad_ = 0.0;
     unclaimed_ = 0;
     mergeTracks();
 }

@@ -8,6 +8,7 @@
 #include "core/tracking/association.hpp"
 #include "core/tracking/beam_pass.hpp"
 #include "core/tracking/method.hpp"
+#include "core/tracking/sector_follower.hpp"
 #include "core/tracking/track_life.hpp"
 
 #include <cstdint>
@@ -89,6 +90,7 @@ struct FollowedTrack {
     std::uint64_t updates = 0;      ///< names the random stream of the next one
     int good_looks = 0;             ///< running, of a lost track: two bring it back
     int quiet_sweeps = 0;           ///< since the last echo
+    double unwatched_s = 0.0;       ///< of the time since the last echo: the head looked only elsewhere
     int shadowed_sweeps = 0;        ///< running, in which an older track was as good as here
     bool dropped = false;           ///< followed on, but nobody is told of it
 };
@@ -134,6 +136,9 @@ public:
     /// It is told of again, as also when it is designated; nothing where it was given up meanwhile.
     void restore(int track);
     bool isDropped(int track) const;
+
+    /// The operator's target as it is expected at `time`; nothing where there is none.
+    std::optional<TargetOutlook> targetAt(Timestamp time) const;
 
     /// The tracks that are followed, lost ones that may still come back included, dropped ones not.
     std::vector<Track> tracks() const;
@@ -211,6 +216,8 @@ private:
     void hushDropped(std::vector<TrackLook>& looks) const;
     void giveUpUnseen(std::vector<TrackLook>& looks);
     void learnClutter(const Region& region);
+    void waitUnwatched(FollowedTrack& followed, const ExpectedPlace& place, double passed_s) const;
+    bool isPartOfSweep() const;
     void endSweep();
     void mergeTracks();
 
@@ -230,6 +237,7 @@ private:
     double clutter_excess_db_ = 4.0;  ///< running mean of how far such regions exceed the faintest
     double clutter_score_ = 0.25;     ///< running mean likeness of regions that were nobody's echo
     double scanned_area_m2_ = 0.0;    ///< in this sweep
+    double scanned_turn_rad_ = 0.0;   ///< in this sweep
     int unclaimed_ = 0;               ///< regions in this sweep that were nobody's echo
 };
 

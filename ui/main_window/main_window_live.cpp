@@ -59,14 +59,18 @@ void MainWindow::askForHead() {
     connection_->focusAddress();
 }
 
-/// As the form has it now: what is on its way to the head is commanded already.
+/// As the form has it now: what is on its way to the head is commanded already. A head that follows the target scans a
+/// part of it.
 void MainWindow::showSector() {
+    const PipelineBridge::Params& params = bridge_.params();
+    const bool follows = params.follow.follow_target;
+    fan_->setWholeSector(follows ? std::optional(scanSector(params.head)) : std::nullopt);
     if (!bridge_.isLive()) return fan_->setSector(std::nullopt, false);
-    const HeadSettings& told = bridge_.params().head;
+    const HeadSettings& told = params.head;
     const seanet::HeadStatus& head = bridge_.liveState().head;
-    const auto same = [&told](const HeadSettings& other) {
-        return other.sector_centre_deg == told.sector_centre_deg && other.sector_width_deg == told.sector_width_deg &&
-               other.step_deg == told.step_deg;
+    const auto same = [&](const HeadSettings& other) {
+        const ScanSector whole = scanSector(told), scanned = scanSector(other);
+        return (scanned == whole || (follows && contains(whole, scanned))) && other.step_deg == told.step_deg;
     };
     const bool confirmed = same(head.commanded) && head.confirmed && head.difference.empty();
     fan_->setSector(CommandedSector{told.sector_centre_deg, told.sector_width_deg, told.step_deg}, confirmed);

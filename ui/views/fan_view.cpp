@@ -119,9 +119,17 @@ void FanView::setSelectedTrack(int id) {
     update();
 }
 
+Sector FanView::sectorToShow() const {
+    Sector shown = sectorToFit(*scene_);
+    if (!whole_sector_ || radiansFromDegrees(whole_sector_->width_deg) <= shown.width_rad) return shown;
+    shown.left = whole_sector_->left();
+    shown.width_rad = radiansFromDegrees(whole_sector_->width_deg);
+    return shown;
+}
+
 FanGeometry FanView::fittedGeometry() const {
     if (!scene_) return {};
-    FanGeometry fit = fitted(scene_->latest.pose, upOf(*scene_, orientation_), sectorToFit(*scene_), rect(),
+    FanGeometry fit = fitted(scene_->latest.pose, upOf(*scene_, orientation_), sectorToShow(), rect(),
                              sectorMargins(UiMetrics(font())));
     fit.sector = sectorOf(*scene_);
     return fit;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/data/scan_sector.hpp"
 #include "core/runtime/scene.hpp"
 #include "ui/views/fan_picture.hpp"
 
@@ -62,6 +63,9 @@ public:
     bool isOffCentre() const { return !pan_.isNull(); }
     /// What the head is told to scan, and whether it says that it does so; none takes the handles away.
     void setSector(const std::optional<CommandedSector>& commanded, bool confirmed);
+    /// What the picture is fitted to while a head that follows the target scans only a part of it; none: what is
+    /// scanned.
+    void setWholeSector(const std::optional<ScanSector>& whole);
     /// Moves the sector's edges by keys from now on.
     void editSector();
     /// Fits the sector into the widget again.
@@ -99,6 +103,7 @@ protected:
     bool focusNextPrevChild(bool next) override;
 
 private:
+    Sector sectorToShow() const;
     FanGeometry fittedGeometry() const;
     FanGeometry geometry() const;
     FanMoment moment() const;
@@ -142,6 +147,7 @@ private:
     QPointF dragged_from_;
     bool dragging_ = false;
     SectorHandles sector_;
+    std::optional<ScanSector> whole_sector_;
     std::optional<Measurement> measurement_;
     bool measurement_open_ = false;           ///< its second place still follows the cursor
     std::optional<QPointF> measure_pressed_;  ///< while the hand holds an end of it

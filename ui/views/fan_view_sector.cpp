@@ -12,6 +12,12 @@ constexpr int quick_steps = 10;
 
 }  // namespace
 
+void FanView::setWholeSector(const std::optional<ScanSector>& whole) {
+    if (whole == whole_sector_) return;
+    whole_sector_ = whole;
+    update();
+}
+
 void FanView::setSector(const std::optional<CommandedSector>& commanded, bool confirmed) {
     if (sector_.show(commanded, confirmed)) update();
 }

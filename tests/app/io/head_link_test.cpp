@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <QTemporaryDir>
+#include <cmath>
 
 namespace echotrail {
 namespace {
@@ -17,8 +18,8 @@ using seanet::HeadState;
 /// A runner and its links to a head, in this thread.
 struct LiveRun {
     explicit LiveRun(const std::string& sonar, const std::string& navigation = {},
-                     std::unique_ptr<LogWriter> log = nullptr)
-        : runner({}, 0, std::move(log)), link(parseLiveAddresses(sonar, navigation).value(), HeadSettings{}, runner) {
+                     std::unique_ptr<LogWriter> log = nullptr, const LiveRunner::Params& params = {})
+        : runner(params, 0, std::move(log)), link(parseLiveAddresses(sonar, navigation).value(), params.head, runner) {
         QObject::connect(&link, &HeadLink::noted, [this](const QString& text) { notes += text; });
         link.open();
     }
@@ -58,6 +59,32 @@ TEST(HeadLink, AChangeOfSettingsIsConfirmedByTheHeadItself) {
         return confirmed && confirmed->range_m == 20.0;
     }));
     EXPECT_TRUE(becomes([&] { return run.link.state().head.difference.empty(); }));
+}
+
+TEST(HeadLink, WhereTheHeadFollowsItScansAboutTheTargetAndNeverBeyondTheOperatorsSector) {
+    // An object ahead, and nothing else.
+    SimulatedPeer peer("tcp://127.0.0.1:0", SimulatedPeer::quick(), [](const HeadSetup& setup) {
+        return std::abs(setup.bearing.inDegrees()) < 2.0;
+    });
+    LiveRunner::Params params;
+    params.head.range_m = 10.0;
+    params.head.sector_width_deg = 50.0;
+    params.follow = {.follow_target = true, .follow_least_width_deg = 10.0};
+    params.tracker.life.confirm_looks = 2;
+    LiveRun run(peer.address(), {}, nullptr, params);
+    run.runner.designate(5.0, Bearing::degrees(0.0));
+    ASSERT_TRUE(becomes([&] { return run.runner.sector().has_value(); })) << "it is confirmed, and followed";
+    ASSERT_TRUE(becomes([&] {
+        const auto head = run.link.state().head;
+        return head.confirmed && head.confirmed->sector_width_deg < 45.0 && head.difference.empty();
+    })) << "the head itself says so";
+    EXPECT_TRUE(contains(scanSector(params.head), scanSector(run.link.state().head.commanded)));
+
+    params.head.sector_centre_deg = 90.0;  // the target is outside of it
+    run.runner.setParams(params);
+    run.link.setSettings(params.head);
+    EXPECT_EQ(scanSector(run.link.state().head.commanded), scanSector(params.head)) << "at once";
+    ASSERT_TRUE(becomes([&] { return !run.runner.sector(); }));
 }
 
 TEST(HeadLink, ABrokenLinkIsSaidMadeAgainAndScanningGoesOn) {

@@ -7,15 +7,23 @@
 #include <QTimer>
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
 
 namespace echotrail {
 
-/// A simulated head on a port of this process; it hears one bright echo half way out.
+/// A simulated head on a port of this process; it hears one bright echo half way out, at every bearing or where
+/// `object_at` says.
 class SimulatedPeer : public QObject {
 public:
-    explicit SimulatedPeer(const std::string& address = "tcp://127.0.0.1:0", SimulatedHeadOptions options = quick())
-        : server_(ByteServer::listen(parseLinkAddress(address).value()).value()), head_(options, hear) {
+    using ObjectAt = std::function<bool(const HeadSetup&)>;
+
+    explicit SimulatedPeer(const std::string& address = "tcp://127.0.0.1:0", SimulatedHeadOptions options = quick(),
+                           const ObjectAt& object_at = {})
+        : server_(ByteServer::listen(parseLinkAddress(address).value()).value()),
+          head_(options, [object_at](const HeadSetup& setup, Microseconds, std::uint64_t) {
+              return hear(setup, !object_at || object_at(setup));
+          }) {
         timer_.setSingleShot(true);
         timer_.setTimerType(Qt::PreciseTimer);
         connect(&timer_, &QTimer::timeout, this, [this] { move(); });
@@ -33,8 +41,9 @@ public:
     static SimulatedHeadOptions quick() { return {.boot_s = 0.05, .centring_s = 0.1}; }
 
 private:
-    static std::vector<std::uint8_t> hear(const HeadSetup& setup, Microseconds, std::uint64_t) {
+    static std::vector<std::uint8_t> hear(const HeadSetup& setup, bool object) {
         std::vector<std::uint8_t> levels(static_cast<std::size_t>(setup.bins), 20);
+        if (!object) return levels;
         for (std::size_t bin = levels.size() / 2; bin < levels.size() / 2 + 6 && bin < levels.size(); ++bin)
             levels[bin] = 200;
         return levels;

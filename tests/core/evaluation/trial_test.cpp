@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <string>
 
 namespace echotrail {
@@ -42,6 +43,50 @@ TEST(Trial, ATargetInClearWaterIsAnOpportunityOfEverySweepAndUsed) {
     EXPECT_EQ(result.renewed_picks, 0);
     EXPECT_EQ(result.false_tracks, 0);
     EXPECT_GT(result.mean_contrast_db, 12);
+}
+
+ScanningSonarPipeline::Params following() {
+    ScanningSonarPipeline::Params params;
+    params.follow.follow_target = true;
+    return params;
+}
+
+TEST(Trial, AHeadThatFollowsLooksSeveralTimesAsOftenAndReportsErrLess) {
+    Scenario scenario = calm(150);
+    scenario.targets[0].path = {{0, 25, -10}, {150, 25, 20}};
+    SimulatedSource source(scenario, 1);
+    const TrialResult open = runTrial(source, {}, 1), closed = runTrial(source, following(), 1);
+    EXPECT_GT(count(closed, LookOutcome::Correct), 2 * count(open, LookOutcome::Correct));
+    EXPECT_EQ(closed.renewed_picks, 0);
+    EXPECT_EQ(closed.target_switches, 0);
+    const auto mean = [](const std::vector<double>& errors) {
+        return std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
+    };
+    ASSERT_GT(closed.report_errors_m.size(), 1000u);
+    EXPECT_LT(mean(closed.report_errors_m), mean(open.report_errors_m));
+    const TrialResult again = runTrial(source, {}, 1);
+    EXPECT_EQ(again.report_errors_m, open.report_errors_m) << "the source scans by itself again";
+    EXPECT_EQ(runTrial(source, following(), 1).report_errors_m, closed.report_errors_m);
+}
+
+TEST(Trial, OtherObjectsOutlastAHeadThatFollowsOneOfThem) {
+    Scenario scenario = calm(200);
+    scenario.targets.push_back({.path = {{0, 20, 14}}, .strength_db = 5});
+    SimulatedSource source(scenario, 1);
+    const TrialResult result = runTrial(source, following(), 1);
+    EXPECT_EQ(result.confirmed_tracks, 2) << "none had to be found anew";
+    ASSERT_FALSE(result.snapshots.empty());
+    EXPECT_EQ(result.snapshots.back().estimates.size(), 2u);
+}
+
+TEST(Trial, AHeadThatFollowsFindsATargetAgainThatFaded) {
+    Scenario scenario = calm(150);
+    scenario.targets[0].fades = {{60, 70, 80}};
+    SimulatedSource source(scenario, 1);
+    const TrialResult result = runTrial(source, following(), 1);
+    ASSERT_FALSE(result.looks.empty());
+    EXPECT_EQ(result.looks.back().outcome, LookOutcome::Correct);
+    EXPECT_EQ(result.renewed_picks, 0);
 }
 
 TEST(Trial, AFadedTargetIsLostUnderTheThreshold) {

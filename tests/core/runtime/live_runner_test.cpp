@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <thread>
@@ -15,26 +17,30 @@
 namespace echotrail {
 namespace {
 
-/// A scan to and fro, as a head sends it: a bright patch at 20 m, coming nearer, on a dark ground.
+/// A line of a head, as it sends it: a bright patch at so many bins, at places 23 to 25 of 0 to 50, on a dark ground.
+std::vector<std::uint8_t> lineAt(int place, bool clockwise, int bin) {
+    seanet::HeadData line;
+    line.device_type = 2;
+    line.head_control = clockwise ? 0x2305 : 0x2301;
+    line.range_scale = 500;
+    line.ad_interval = 130;
+    line.left_limit = 2400;
+    line.right_limit = 4000;
+    line.step = 32;
+    line.bearing = static_cast<std::uint16_t>(2400 + 32 * place);
+    line.data.assign(800, 20);
+    for (int b = bin; b < bin + 12; ++b)
+        if (place >= 23 && place <= 25) line.data[static_cast<std::size_t>(b)] = 160;
+    return seanet::encodeHeadData(line);
+}
+
+/// A scan to and fro: the patch begins at 20 m and comes nearer.
 std::vector<std::vector<std::uint8_t>> scan(int sweeps) {
     std::vector<std::vector<std::uint8_t>> frames;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         for (int i = 0; i <= 50; ++i) {
-            const int place = sweep % 2 == 0 ? i : 50 - i;
-            seanet::HeadData line;
-            line.device_type = 2;
-            line.head_control = sweep % 2 == 0 ? 0x2305 : 0x2301;
-            line.range_scale = 500;
-            line.ad_interval = 130;
-            line.left_limit = 2400;
-            line.right_limit = 4000;
-            line.step = 32;
-            line.bearing = static_cast<std::uint16_t>(2400 + 32 * place);
-            line.data.assign(800, 20);
-            const int bin = 320 - 4 * sweep;
-            for (int b = bin; b < bin + 12; ++b)
-                if (place >= 23 && place <= 25) line.data[static_cast<std::size_t>(b)] = 160;
-            frames.push_back(seanet::encodeHeadData(line));
+            const bool clockwise = sweep % 2 == 0;
+            frames.push_back(lineAt(clockwise ? i : 50 - i, clockwise, 320 - 4 * sweep));
         }
     }
     return frames;
@@ -156,6 +162,41 @@ TEST_F(Live, ItsRecordingGivesTheSameLooksBitForBit) {
     while (const auto result = (*reader)->nextResult())
         if (result->kind == UpdateKind::Track) recorded.push_back(result->text);
     EXPECT_EQ(recorded, live);
+}
+
+TEST_F(Live, AHeadThatFollowsTheTargetLooksMoreOftenAndItsRecordingGivesTheSameLooksBitForBit) {
+    LiveRunner::Params params;
+    params.follow.follow_target = true;
+    std::vector<std::string> live;
+    int narrow = 0;
+    {
+        Paced run(params, log(5, params), [&](const Update& update, Timestamp, const ScanningSonarPipeline&) {
+            for (const TrackLook& look : update.looks) live.push_back(lookText(look));
+        });
+        run.settle(0);
+        run.runner.designate(20.0, Bearing::degrees(0.0));
+        run.settle(1);
+        bool clockwise = true;
+        int place = 0;
+        for (int sent = 0; sent < 400; ++sent) {
+            run.wait(100'000);
+            run.post(EventKind::SonarBytes, lineAt(place, clockwise, 320));
+            const ScanSector sector = run.runner.sector().value_or(ScanSector{});
+            narrow += sector.width_deg < 45.0;
+            EXPECT_TRUE(contains({}, sector));
+            const int first = static_cast<int>(std::lround((sector.centre_deg - sector.width_deg / 2 + 45.0) / 1.8)),
+                      last = first + static_cast<int>(std::lround(sector.width_deg / 1.8));
+            place = std::clamp(place + (clockwise ? 1 : -1), first, last);
+            if (place == first) clockwise = true;
+            if (place == last) clockwise = false;
+        }
+        run.runner.finish();
+        run.runner.closeLog();
+        EXPECT_EQ(run.runner.status().pings, 400u);
+    }
+    EXPECT_GT(narrow, 100);
+    EXPECT_GT(live.size(), 12u) << "8 sweeps of the whole sector would give as many looks";
+    EXPECT_EQ(again(), live);
 }
 
 TEST_F(Live, WhatWasDroppedAndTakenBackIsSoInItsRecordingToo) {

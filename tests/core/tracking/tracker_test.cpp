@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace echotrail {
 namespace {
@@ -30,9 +31,9 @@ public:
     void run(double until_s) {
         for (; ping_ * ping_s < until_s; ++ping_) {
             const double t = ping_ * ping_s;
-            const int per_sweep = static_cast<int>(2 * half_sector_deg / step_deg);
-            const int phase = ping_ % (2 * per_sweep);
-            const double bearing = -half_sector_deg + step_deg * (phase < per_sweep ? phase : 2 * per_sweep - phase);
+            const int per_sweep = static_cast<int>(2 * half_deg_ / step_deg);
+            const int phase = (ping_ - first_ping_) % (2 * per_sweep);
+            const double bearing = -half_deg_ + step_deg * (phase < per_sweep ? phase : 2 * per_sweep - phase);
             BeamMoment beam;
             beam.time = Timestamp(microsecondsFromSeconds(t));
             beam.azimuth = Bearing::degrees(bearing);
@@ -41,8 +42,10 @@ public:
             beam.far_m = 50;
             beam.range_scale_m = 50;
             beam.point_length_m = 0.5;
-            beam.turned_round = beam.sweep_ended = ping_ > 0 && (phase == 1 || phase == per_sweep + 1);
+            beam.turned_round = beam.sweep_ended = ping_ > first_ping_ && (phase == 1 || phase == per_sweep + 1);
             beam.navigation_known = true;
+            if (half_deg_ < half_sector_deg) beam.watched = WatchedSector{
+                    {}, radiansFromDegrees(half_deg_), radiansFromDegrees(2 * half_sector_deg)};
 
             std::vector<Region> due;
             std::swap(due, later_);
@@ -55,6 +58,17 @@ public:
             tracker.update(
                 beam, due, [](double, double) { return false; }, looks);
         }
+    }
+
+    /// From here on the head scans so much to each side, of ±45°.
+    void scan(double half_deg) {
+        half_deg_ = half_deg;
+        first_ping_ = ping_;
+    }
+    std::optional<Track> track(int id) const {
+        for (const Track& track : tracker.tracks())
+            if (track.id == id) return track;
+        return std::nullopt;
     }
 
     Tracker tracker;
@@ -92,7 +106,8 @@ private:
     std::vector<Object> objects_;
     RandomStream noise_;
     std::vector<Region> later_, next_;
-    int ping_ = 0;
+    int ping_ = 0, first_ping_ = 0;  ///< the first one of the sector that is scanned
+    double half_deg_ = half_sector_deg;
     std::uint32_t id_ = 0;
 };
 
@@ -152,6 +167,38 @@ TEST(Tracker, TargetOutsideTheSectorIsNotMissed) {
         if (!look.seen) {
             EXPECT_NE(look.state, TrackState::Lost);
         }
+}
+
+TEST(Tracker, WhatAHeadThatFollowsDoesNotLookAtIsNeitherMissedNorLost) {
+    Scene scene({{{20, 0}}, {{25, 14}}});
+    scene.run(25);
+    ASSERT_EQ(scene.tracker.confirmedEver(), 2u);
+    const int ahead = scene.looks[0].track, aside = scene.looks[1].track;
+    ASSERT_NE(ahead, aside);
+    scene.scan(9);
+    scene.run(60);
+    for (const int id : {ahead, aside}) {
+        const auto track = scene.track(id);
+        ASSERT_TRUE(track) << id;
+        EXPECT_EQ(track->state, TrackState::Confirmed) << id;
+        EXPECT_EQ(track->misses, 0) << id;
+    }
+    scene.scan(half_sector_deg);
+    scene.run(75);
+    for (const int id : {ahead, aside}) {
+        const auto track = scene.track(id);
+        ASSERT_TRUE(track) << id;
+        EXPECT_EQ(track->state, TrackState::Confirmed) << id;
+        EXPECT_GT(secondsBetween(Timestamp{}, track->last_seen), 65) << "seen again under its own number: " << id;
+    }
+}
+
+TEST(Tracker, WhatGoesBySweepsGoesNoFasterWhereTheHeadFollows) {
+    Scene open({{{20, 0}}}), closed({{{20, 0}}});
+    for (Scene* scene : {&open, &closed}) scene->run(25);
+    closed.scan(9);
+    for (Scene* scene : {&open, &closed}) scene->run(100);
+    EXPECT_NEAR(closed.tracker.clutterDensity(), open.tracker.clutterDensity(), 0.3 * open.tracker.clutterDensity());
 }
 
 TEST(Tracker, CrossingTargetsKeepTheirIdentity) {

@@ -207,6 +207,41 @@ TEST_F(LiveMode, TheSectorsEdgesMoveOnTheFanAndTheHeadConfirmsThem) {
     EXPECT_EQ(window_.bridge().params().head.sector_centre_deg, 0.0);
 }
 
+TEST_F(LiveMode, TheHeadFollowsTheTargetWithinTheSectorThatIsSetOnTheFan) {
+    SimulatedPeer peer("tcp://127.0.0.1:0", SimulatedPeer::quick(),
+                       [](const HeadSetup& setup) { return std::abs(setup.bearing.inDegrees()) < 2.0; });
+    connectTo(peer.address());
+    ASSERT_TRUE(pingsCome());
+    const auto change = [this](const auto& edit) {
+        PipelineBridge::Params params = window_.bridge().params();
+        edit(params);
+        window_.parameters().model().change(parameterValues(params), "test");
+    };
+    change([](auto& params) {
+        params.head.range_m = 10.0;
+        params.head.sector_width_deg = 54.0;
+    });
+    window_.bridge().designate(5.0, 0.0);
+    ASSERT_TRUE(await([&] { return !window_.bridge().scene()->tracks.empty(); }));
+    change([](auto& params) { params.follow.follow_target = true; });
+    const auto scans = [this] { return state().head.confirmed ? state().head.confirmed->sector_width_deg : 0.0; };
+    ASSERT_TRUE(await([&] { return scans() > 0.0 && scans() < 40.0 && state().head.difference.empty(); }));
+    EXPECT_EQ(window_.bridge().params().head.sector_width_deg, 54.0) << "the operator's stays as it is";
+
+    FanView& fan = window_.fan();
+    fan.editSector();
+    for (int i = 0; i < 10; ++i) QTest::keyClick(&fan, Qt::Key_Left);
+    QTest::keyClick(&fan, Qt::Key_Return);
+    const ScanSector limit = scanSector(window_.bridge().params().head);
+    EXPECT_EQ(limit.width_deg, 36.0);
+    EXPECT_TRUE(await([&] {
+        return state().head.confirmed && state().head.difference.empty() &&
+               contains(limit, scanSector(*state().head.confirmed)) && scans() < 30.0;
+    }));
+    change([](auto& params) { params.follow.follow_target = false; });
+    EXPECT_TRUE(await([&] { return std::abs(scans() - 36.0) < 0.1 && state().head.difference.empty(); }));
+}
+
 TEST_F(LiveMode, AHeadSimulatedHereIsChosenFromTheMenuAndBringsItsNavigation) {
     EXPECT_FALSE(window_.bridge().simulatedHeads().isEmpty());
     window_.connection().connectTo("simulation://demo", {}, true);
