@@ -14,7 +14,7 @@ double pickRadius(double range_m) { return std::max(pick_radius_m, pick_radius_s
 }  // namespace
 
 ScanningSonarPipeline::ScanningSonarPipeline(const Params& params, std::uint64_t seed)
-    : params_(params), fan_(params.fan), regions_(params.regions), tracker_(params.tracker, seed) {}
+    : params_(params), fan_(params.fan), regions_(params.regions, params.enhancement), tracker_(params.tracker, seed) {}
 
 const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory& navigation) {
     update_ = Update{.ping = ping.sequence, .time = ping.time, .sweep = sweeps_};
@@ -32,13 +32,17 @@ const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory
     update_.navigation_gap = !at_transmit || !at_far_end;
     if (at_transmit) vehicle_ = fromStart(*at_transmit);
     update_.later_pose = at_far_end ? fromStart(*at_far_end) : vehicle_;
-    const Ray ray = makeRay(ping, vehicle_, update_.later_pose, params_.head, *first_ping_);
     SweepFollower::Step step = sweep_.follow(ping.bearing, ping.step_rad, ping.time);
+    if (params_.tracker.method.motion_correction)
+        held_.reset();
+    else
+        holdPose(step);
+    const Ray ray = makeRay(ping, vehicle_, update_.later_pose, params_.head, *first_ping_);
     step.turned_round |= update_.navigation_gap;
     beam_ = beamOf(ping, ray, step, !navigation.empty());
 
     // What has it just left? Regions grow there, and nowhere else.
-    if (step.turned_round) regions_.breakOff(update_.regions);
+    if (step.turned_round || (step.sweep_ended && regions_.waitsForSweep())) regions_.breakOff(update_.regions);
     tracker_.interestsAt(beam_, interests_);
     regions_.add(ping, ray, beam_.head, *first_ping_, interests_, update_.regions);
     if (paint_fan_) fan_.add(ray, ping.range_scale_m, step.turned_round);
@@ -62,6 +66,12 @@ const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory
 Pose ScanningSonarPipeline::fromStart(const Pose& pose) {
     if (!origin_) origin_ = pose;
     return {pose.north_m - origin_->north_m, pose.east_m - origin_->east_m, pose.heading};
+}
+
+/// As if the vehicle stood still during a sweep.
+void ScanningSonarPipeline::holdPose(const SweepFollower::Step& step) {
+    if (!held_ || step.turned_round || step.sweep_ended) held_ = vehicle_;
+    vehicle_ = update_.later_pose = *held_;
 }
 
 const Update& ScanningSonarPipeline::finish() {
@@ -95,7 +105,7 @@ BeamMoment ScanningSonarPipeline::beamOf(const Ping& ping, const Ray& ray, const
 void ScanningSonarPipeline::setParams(const Params& params) {
     params_ = params;
     fan_.setParams(params.fan);
-    regions_.setParams(params.regions);
+    regions_.setParams(params.regions, params.enhancement);
     tracker_.setParams(params.tracker);
 }
 
