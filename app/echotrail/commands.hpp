@@ -39,6 +39,9 @@ Command addInfoCommand(CLI::App& program);
 /// `echotrail simulate`: a scenario as a recording, or as a head on a port.
 Command addSimulateCommand(CLI::App& program);
 
+/// `echotrail tune-enhancement`: the local enhancement for one scenario, by particle swarm.
+Command addTuneEnhancementCommand(CLI::App& program);
+
 /// `echotrail verify`: whether a recording gives its tracks again.
 Command addVerifyCommand(CLI::App& program);
 

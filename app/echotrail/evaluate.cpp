@@ -5,9 +5,9 @@
 #include "core/runtime/denormals.hpp"
 #include "core/simulation/demonstration.hpp"
 #include "core/simulation/scenario_file.hpp"
+#include "evaluation_columns.hpp"
 #include "evaluation_run.hpp"
 #include "event_loop.hpp"
-#include "settings.hpp"
 
 #include <CLI/CLI.hpp>
 #include <opencv2/core/utility.hpp>
@@ -28,13 +28,13 @@ namespace echotrail {
 
 namespace {
 
-constexpr std::string_view default_title = "default";
 constexpr int default_trials = 20;
 constexpr int most_trials = 10'000;
 
 struct EvaluateArguments {
     std::vector<std::string> scenes, parameter_files, assignments, requirements;
     std::string truth, json, html;
+    bool ablations = false;
     int trials = default_trials;
     std::uint64_t seed = default_scenario_seed;
     unsigned threads = 0;
@@ -102,35 +102,6 @@ Result<std::vector<EvaluationPlan::Scene>> scenesOf(const EvaluateArguments& arg
     return scenes;
 }
 
-/// One for each set of parameters that is named; the default before them, unless it is among them; and last the
-/// default with what --set says.
-Result<std::vector<EvaluationPlan::Column>> columnsOf(const EvaluateArguments& arguments) {
-    std::vector<std::string> names = arguments.parameter_files;
-    if (!isAmong(default_title, names)) names.insert(names.begin(), std::string(default_title));
-    std::vector<EvaluationPlan::Column> columns;
-    for (const std::string& name : names) {
-        const std::string file = std::filesystem::path(name).filename().string();
-        const auto same = std::count_if(names.begin(), names.end(), [&](const std::string& other) {
-            return std::filesystem::path(other).filename().string() == file;
-        });
-        EvaluationPlan::Column column{.title = same > 1 || file.empty() ? name : file};
-        if (name != default_title || findPreset(name)) {
-            const auto settings = readSettings({name}, {});
-            if (!settings) return Error{settings.error()};
-            column.params = settings->params;
-            column.sound_speed = settings->sound_speed;
-        }
-        columns.push_back(std::move(column));
-    }
-    if (arguments.assignments.empty()) return columns;
-    const auto settings = readSettings({}, arguments.assignments);
-    if (!settings) return Error{settings.error()};
-    std::string title;
-    for (const std::string& assignment : arguments.assignments) title += (title.empty() ? "" : ", ") + assignment;
-    columns.push_back({std::move(title), settings->params, settings->sound_speed});
-    return columns;
-}
-
 Result<std::vector<Requirement>> requirementsOf(const EvaluateArguments& arguments, const EvaluationPlan& plan) {
     const auto known = [](const auto& all, const std::string& name, auto part) {
         return name.empty() || std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.*part == name; });
@@ -150,10 +121,9 @@ Result<std::vector<Requirement>> requirementsOf(const EvaluateArguments& argumen
 
 /// Without a column's name those that were asked for by --parameters and --set are judged; where there are none, the
 /// default.
-void judge(const std::vector<Requirement>& requirements, const EvaluateArguments& arguments,
-           EvaluationReport& report) {
+void judge(const std::vector<Requirement>& requirements, const EvaluateArguments& arguments, EvaluationReport& report) {
     const bool default_counts = (arguments.parameter_files.empty() && arguments.assignments.empty()) ||
-                                isAmong(default_title, arguments.parameter_files);
+                                isAmong(default_column, arguments.parameter_files);
     for (const Requirement& requirement : requirements)
         for (std::size_t s = 0; s < report.scenes.size(); ++s)
             for (std::size_t c = 0; c < report.columns.size(); ++c) {
@@ -244,13 +214,21 @@ ExitCode conclude(const EvaluationReport& report, ReportFile& json, ReportFile& 
                 std::to_string(missed) + " of " + std::to_string(report.verdicts.size()) + " requirements are not met");
 }
 
+std::vector<std::string> columnNames(const EvaluateArguments& arguments) {
+    std::vector<std::string> names = arguments.parameter_files;
+    if (!arguments.ablations) return names;
+    for (std::string& name : ablationColumns())
+        if (!isAmong(name, names)) names.push_back(std::move(name));
+    return names;
+}
+
 ExitCode evaluate(const EvaluateArguments& arguments) {
     EvaluationPlan plan{.first_seed = arguments.seed, .trials = arguments.trials};
     plan.threads = arguments.threads ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
     auto scenes = scenesOf(arguments);
     if (!scenes) return fail(ExitCode::Usage, scenes.error());
     plan.scenes = *std::move(scenes);
-    auto columns = columnsOf(arguments);
+    auto columns = columnsOf(columnNames(arguments), arguments.assignments, plan.scenes);
     if (!columns) return fail(ExitCode::Usage, columns.error());
     plan.columns = *std::move(columns);
     const auto requirements = requirementsOf(arguments, plan);
@@ -307,9 +285,13 @@ Command addEvaluateCommand(CLI::App& program) {
     command->add_option(
         "--parameters", a->parameter_files,
         "TOML file of parameters, or a preset's name (" + presetNames() +
-            "): a column beside the default's; may be given more than once, 'default' puts that one in place");
+            "): a column beside the default's; may be given more than once, 'default' puts that one in place. Names "
+            "joined by + lie over one another, {scene} in one stands for each scene's: "
+            "paper+ablations/enhanced+enhancement/{scene}-guarded");
     command->add_option("--set", a->assignments,
                         "NAME=VALUE of a parameter, as in follow_target=true: a last column, the default with it");
+    command->add_flag("--ablations", a->ablations,
+                      "A column for each part of the published method and of ours left out, or put back");
     command->add_option("--json", a->json, "Write every figure and trial as JSON; - is standard output");
     command->add_option("--html", a->html, "Write one page with tables and pictures; - is standard output");
     command->add_option(

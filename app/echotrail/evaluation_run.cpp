@@ -33,8 +33,8 @@ Result<std::unique_ptr<PingSource>> openScene(const EvaluationPlan& plan, std::s
     const EvaluationPlan::Scene& what = plan.scenes[scene];
     if (what.scenario) return std::unique_ptr<PingSource>(std::make_unique<SimulatedSource>(*what.scenario, seed));
     const EvaluationPlan::Column& how = plan.columns[column];
-    return openRecording(what.recording,
-                         {.sound_speed_mps = how.sound_speed, .default_sound_speed_mps = how.params.head.sound_speed});
+    return openRecording(what.recording, {.sound_speed_mps = how.sound_speed,
+                                          .default_sound_speed_mps = how.params[scene].head.sound_speed});
 }
 
 Result<Truth> truthOf(const EvaluationPlan::Scene& scene, const PingSource& source) {
@@ -85,7 +85,7 @@ private:
         if (scene.scenario) simulated.emplace(*scene.scenario, job.seed);
         if (simulated && plan_.columns.size() > 1) simulated->keepPings();
         for (std::size_t column = 0; column < plan_.columns.size(); ++column) {
-            const ScanningSonarPipeline::Params& params = plan_.columns[column].params;
+            const ScanningSonarPipeline::Params& params = plan_.columns[column].params[job.scene];
             TrialResult result;
             if (simulated) {
                 result = runTrial(*simulated, params, job.seed, cancel);
@@ -143,7 +143,7 @@ double timePipeline(const EvaluationPlan& plan, std::size_t scene, std::size_t c
         pings.push_back(*std::move(ping));
     }
     if (pings.empty()) return 0;
-    ScanningSonarPipeline pipeline(plan.columns[column].params, plan.first_seed);
+    ScanningSonarPipeline pipeline(plan.columns[column].params[scene], plan.first_seed);
     pipeline.setFanPainting(false);
     const auto truth = truthOf(plan.scenes[scene], **source);
     if (truth && truth->targets() > 0)
@@ -161,15 +161,25 @@ double memoryUsed_mb() {
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// "name = value unit" of every parameter that is not the default.
-std::vector<std::string> settingsOf(const ScanningSonarPipeline::Params& params) {
+/// "name = value unit" of every parameter that is not the default somewhere; where scenes differ, the value of each.
+std::vector<std::string> settingsOf(const EvaluationPlan& plan, const EvaluationPlan::Column& column) {
     const auto infos = describeParameters<ScanningSonarPipeline::Params>();
-    const auto values = parameterValues(params);
+    std::vector<std::vector<ParameterValue>> values;  // [scene][parameter]
+    for (const auto& params : column.params) values.push_back(parameterValues(params));
     std::vector<std::string> settings;
-    for (std::size_t i = 0; i < infos.size(); ++i)
-        if (values[i] != infos[i].default_value)
-            settings.push_back(infos[i].name + " = " + ParameterInfo::toText(values[i]) +
-                               (infos[i].unit.empty() ? "" : " " + infos[i].unit));
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+        const auto isUsual = [&](const auto& scene) { return scene[i] == infos[i].default_value; };
+        const auto isLikeFirst = [&](const auto& scene) { return scene[i] == values.front()[i]; };
+        if (std::all_of(values.begin(), values.end(), isUsual)) continue;
+        const bool same = std::all_of(values.begin(), values.end(), isLikeFirst);
+        std::string text;
+        for (std::size_t s = 0; s < (same ? 1 : values.size()); ++s) {
+            text.append(text.empty() ? "" : ", ").append(ParameterInfo::toText(values[s][i]));
+            if (!infos[i].unit.empty()) text.append(" ").append(infos[i].unit);
+            if (!same) text.append(" in ").append(plan.scenes[s].name);
+        }
+        settings.push_back(infos[i].name + " = " + text);
+    }
     return settings;
 }
 
@@ -195,7 +205,7 @@ Result<EvaluationReport> runEvaluation(const EvaluationPlan& plan,
     }
     if (!trials.failure().empty()) return Error{trials.failure()};
     EvaluationReport report{.first_seed = plan.first_seed, .trials = plan.trials, .memory_mb = memoryUsed_mb()};
-    for (const auto& column : plan.columns) report.columns.push_back({column.title, settingsOf(column.params)});
+    for (const auto& column : plan.columns) report.columns.push_back({column.title, settingsOf(plan, column)});
     for (std::size_t s = 0; s < plan.scenes.size(); ++s) {
         report.scenes.push_back({plan.scenes[s].name, plan.scenes[s].description});
         auto& row = report.summaries.emplace_back();

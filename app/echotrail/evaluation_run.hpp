@@ -23,8 +23,8 @@ struct EvaluationPlan {
     };
     struct Column {
         std::string title;
-        ScanningSonarPipeline::Params params;
-        std::optional<double> sound_speed;  ///< set: it stands above what a recording stores
+        std::vector<ScanningSonarPipeline::Params> params;  ///< in each scene
+        std::optional<double> sound_speed;                  ///< set: it stands above what a recording stores
     };
     std::vector<Scene> scenes;
     std::vector<Column> columns;

@@ -20,7 +20,8 @@ ExitCode runCommand(int argc, char** argv) {
         {"simulate", echotrail::addSimulateCommand(program)}, {"verify", echotrail::addVerifyCommand(program)},
         {"convert", echotrail::addConvertCommand(program)},   {"recover", echotrail::addRecoverCommand(program)},
         {"evaluate", echotrail::addEvaluateCommand(program)}, {"info", echotrail::addInfoCommand(program)},
-        {"pair", echotrail::addPairCommand(program)},         {"fetch", echotrail::addFetchCommand(program)}};
+        {"pair", echotrail::addPairCommand(program)},         {"fetch", echotrail::addFetchCommand(program)},
+        {"tune-enhancement", echotrail::addTuneEnhancementCommand(program)}};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -16,6 +16,15 @@ constexpr std::string_view nothing = "-";
 constexpr std::string_view published_title = "published";
 constexpr std::string_view all_scenes = "all";
 
+constexpr std::size_t most_columns = 6;  ///< beside one another; more go down the page
+
+Rows transposed(const Rows& rows) {
+    Rows turned(rows.front().size());
+    for (const auto& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i) turned[i].push_back(row[i]);
+    return turned;
+}
+
 /// Columns two blanks apart, the first one left-aligned, the others too: cells hold more than a number.
 std::string aligned(const Rows& rows) {
     std::vector<std::size_t> widths;
@@ -55,7 +64,10 @@ std::string comparison(const EvaluationReport& report, const Metric& metric) {
         for (std::size_t c = 0; c < report.columns.size(); ++c)
             rows.back().push_back(cellText(metric, report.overall(c), all_scenes));
     }
-    return std::string(metric.title).append(", ").append(metric.unit).append("\n").append(aligned(rows)).append("\n");
+    return std::string(metric.title).append(", ").append(metric.unit)
+        .append("\n")
+        .append(aligned(report.columns.size() > most_columns ? transposed(rows) : rows))
+        .append("\n");
 }
 
 /// The other headline figures of a scene, and why looks were lost.
@@ -218,7 +230,10 @@ std::string textReport(const EvaluationReport& report) {
     std::string text;
     for (const Metric& metric : metricTable())
         if (metric.published && metric.headline) text += comparison(report, metric);
-    for (std::size_t scene = 0; scene < report.scenes.size(); ++scene) text += sceneText(report, scene);
+    if (report.columns.size() <= most_columns)
+        for (std::size_t scene = 0; scene < report.scenes.size(); ++scene) text += sceneText(report, scene);
+    else
+        text.append("The other figures: --html, --json.\n");
     text.append("Intervals are 95 % ones; * is at most half of the published figure. ");
     text.append(std::to_string(report.trialsDone())).append(" of ").append(std::to_string(report.trialsWanted()));
     text.append(" trials, seeds from ").append(std::to_string(report.first_seed)).append(".");

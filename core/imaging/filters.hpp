@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/parameters.hpp"
+#include "core/data/fan_image.hpp"
 
 #include <opencv2/core.hpp>
 
@@ -24,5 +25,10 @@ struct Described<GaussianParams> {
 /// Gaussian smoothing of 8-bit levels in place, that is, in decibels (method card, section c). The picture's edge
 /// repeats outwards. Constant pictures stay as they are.
 void smoothGaussian(cv::Mat& levels, const GaussianParams& params = {});
+
+/// The median over a square of 44 pixels about each pixel, computed at a quarter of the size (method card, section d):
+/// the background that regions of a whole picture stand out from. Unscanned pixels count as the median of the scanned
+/// ones. Of an empty picture it is empty.
+cv::Mat medianBackground(const FanImage& fan);
 
 }  // namespace echotrail

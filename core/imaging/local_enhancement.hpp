@@ -31,7 +31,8 @@ struct Described<LocalEnhancementParams> {
 /// Stretches local contrast for the eye (method card, section c, after Munteanu and Rosa):
 ///     g = [k D / (σ + b)] (f - c m) + m^a, cut off at 0 and 1,
 /// with f the level in [0, 1], m and σ its mean and deviation in the window, D the mean over the fan. Only scanned
-/// pixels count, in the window and in D; unscanned ones stay 0. Detection does not use it: it makes noise stand out.
+/// pixels count, in the window and in D; unscanned ones stay 0. Detection uses it only where
+/// parameter detect_on says so: it makes noise stand out.
 /// The result has its own levels and shares the beam times with `fan`; of an empty picture it is empty.
 FanImage enhanceLocally(const FanImage& fan, const LocalEnhancementParams& params);
 

@@ -2,7 +2,6 @@
 
 #include "core/features/region_shape.hpp"
 #include "core/imaging/filters.hpp"
-#include "core/imaging/wedge_painter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +10,10 @@ namespace echotrail {
 namespace {
 
 constexpr std::uint64_t flank_pings = EchoScreen::closing_pings;
-constexpr double flank_m = 1.0;             // of the tile beyond the strong cells
-constexpr double pixels_per_range = 400.0;  // of the tiles: regions must not depend on the display's fan
-constexpr double same_peak_s = 2.0;         // two candidates of a sweep show the same region within this time
+constexpr double flank_m = 1.0;                // of the tile beyond the strong cells
+constexpr double pixels_per_range = 400.0;     // of the tiles: regions must not depend on the display's fan
+constexpr std::uint64_t longest_sweep = 2048;  // rows; of a longer one the last ones are looked at
+constexpr double same_peak_s = 2.0;            // two candidates of a sweep show the same region within this time
 constexpr MultipathRule multipath{.farthest_m = 3.0, .weaker_db = 6.0};
 
 int levelsFromDb(double db) { return static_cast<int>(std::lround(db * levels_per_db)); }
@@ -28,15 +28,17 @@ cv::Mat viewOf(cv::Mat& memory, int rows, int columns, int type, const cv::Scala
 
 }  // namespace
 
-RegionFinder::RegionFinder(const RegionFinderParams& params)
+RegionFinder::RegionFinder(const RegionFinderParams& params, const LocalEnhancementParams& enhancement)
     : params_(params),
+      enhancement_(enhancement),
       conditioner_(params.conditioner),
       screen_(params.screen),
       grower_(params.grower),
-      rows_(EchoScreen::max_pings + 4 * flank_pings) {}
+      rows_(longest_sweep) {}
 
-void RegionFinder::setParams(const RegionFinderParams& params) {
+void RegionFinder::setParams(const RegionFinderParams& params, const LocalEnhancementParams& enhancement) {
     params_ = params;
+    enhancement_ = enhancement;
     conditioner_.setParams(params.conditioner);
     screen_.setParams(params.screen);
     grower_.setParams(params.grower);
@@ -45,7 +47,11 @@ void RegionFinder::setParams(const RegionFinderParams& params) {
 void RegionFinder::breakOff(std::vector<Region>& regions) {
     candidates_.clear();
     screen_.endSweep(candidates_);
-    for (const Candidate& candidate : candidates_) growRegions(candidate, regions);
+    if (waitsForSweep()) {
+        growInSweep(regions);
+    } else {
+        for (const Candidate& candidate : candidates_) growRegions(candidate, regions);
+    }
     flagMultipath(regions);
     sweep_first_row_ = next_row_;
     found_.clear();  // the beam sees the same place again on its way back: another look at it
@@ -65,8 +71,18 @@ void RegionFinder::add(const Ping& ping, const Ray& ray, const Pose& head, Times
     ++next_row_;
     candidates_.clear();
     screen_.add(row.echo, interests, candidates_);
+    if (waitsForSweep()) return;
     for (const Candidate& candidate : candidates_) growRegions(candidate, regions);
     flagMultipath(regions);
+}
+
+bool RegionFinder::isOpenWithin(double near_m, double far_m) const {
+    // The ping that begins a sweep comes together with the regions of the last one.
+    return waitsForSweep() ? next_row_ > sweep_first_row_ + 1 : screen_.isOpenWithin(near_m, far_m);
+}
+
+std::uint64_t RegionFinder::sweepFirstRow() const {
+    return std::max(sweep_first_row_, next_row_ > rows_.size() ? next_row_ - rows_.size() : 0);
 }
 
 BeamLine RegionFinder::lastLine() const {
@@ -83,6 +99,7 @@ BeamLine RegionFinder::lastLine() const {
 
 std::optional<Timestamp> RegionFinder::settledUntil() const {
     if (next_row_ == sweep_first_row_) return std::nullopt;
+    if (waitsForSweep()) return rowAt(sweepFirstRow()).time;
     const std::uint64_t oldest = screen_.oldestOpenRow();
     const std::uint64_t first = oldest > sweep_first_row_ + flank_pings ? oldest - flank_pings : sweep_first_row_;
     return rowAt(std::min(first, next_row_ - 1)).time;
@@ -97,23 +114,46 @@ void RegionFinder::growRegions(const Candidate& candidate, std::vector<Region>& 
     const double near_m = candidate.first_cell * cell_m, far_m = (candidate.last_cell + 1) * cell_m;
     if (!layTile(first, last, std::max(near_m - flank_m, 0.0), far_m + flank_m)) return;
     paintTile(first, last, std::max(near_m - flank_m, 0.0), far_m + flank_m);
+    paintBackground(first, last, std::max(near_m - flank_m, 0.0), far_m + flank_m);
     smoothGaussian(tile_.levels, params_.smoothing);
 
     const double lowering = candidate.of_interest ? params_.screen.interest_lowering_db : 0.0;
     const int seed_excess = std::max(levelsFromDb(params_.screen.seed_excess_db - lowering), 1);
-    for (const RegionPixels& pixels : grower_(tile_, background_tile_.levels, seed_excess)) {
-        Region region = measureRegion(pixels, tile_, epoch_, params_.shape);
-        const Row& row = rowNearest(region.time, first, last);
-        seenFromHead(region, pixels, tile_, row.head);
-        // What lies in the flanks is another candidate's, which has flanks of its own there.
-        const bool inside = region.range_m >= near_m - cell_m && region.range_m <= far_m + cell_m;
-        if (!inside || !isNew(pixels, region.time)) continue;
-        region.beam_hits = beamHits(region, first, last);
-        region.only_expected =
-            region.contrast_db < params_.screen.seed_excess_db || region.range_m < params_.screen.blank_range_m;
-        region.id = next_id_++;
-        regions.push_back(std::move(region));
-    }
+    // What lies in the flanks is another candidate's, which has flanks of its own there.
+    for (const RegionPixels& pixels : grower_(tile_, background_tile_.levels, seed_excess))
+        keepRegion(pixels, first, last, {near_m - cell_m, far_m + cell_m}, regions);
+}
+
+/// The same in the whole picture of the sweep. What is nearer than the blanked range is no region here.
+void RegionFinder::growInSweep(std::vector<Region>& regions) {
+    const std::uint64_t first = sweepFirstRow();
+    if (next_row_ <= first + 1) return;
+    const std::uint64_t last = next_row_ - 1;
+    const EchoRow& line = rowAt(last).echo;
+    const double far_m = line.cell_m * static_cast<double>(line.level.size());
+    if (!layTile(first, last, 0.0, far_m)) return;
+    paintTile(first, last, 0.0, far_m);
+    smoothGaussian(tile_.levels, params_.smoothing);
+    if (params_.picture.detect_on == DetectOn::EnhancedSweep)
+        enhanceLocally(tile_, enhancement_).levels.copyTo(tile_.levels);
+    const int seed_excess = std::max(levelsFromDb(params_.screen.seed_excess_db), 1);
+    for (const RegionPixels& pixels : grower_(tile_, medianBackground(tile_), seed_excess))
+        keepRegion(pixels, first, last, {params_.screen.blank_range_m, far_m}, regions);
+    std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) { return a.time < b.time; });
+}
+
+/// Measures a region of the tile, which shows rows `first` to `last`; it counts if it is new and `inside`.
+void RegionFinder::keepRegion(const RegionPixels& pixels, std::uint64_t first, std::uint64_t last, RangeInterval inside,
+                              std::vector<Region>& regions) {
+    Region region = measureRegion(pixels, tile_, epoch_, params_.shape);
+    const Row& row = rowNearest(region.time, first, last);
+    seenFromHead(region, pixels, tile_, row.head);
+    if (region.range_m < inside.near_m || region.range_m > inside.far_m || !isNew(pixels, region.time)) return;
+    region.beam_hits = beamHits(region, first, last);
+    region.only_expected =
+        region.contrast_db < params_.screen.seed_excess_db || region.range_m < params_.screen.blank_range_m;
+    region.id = next_id_++;
+    regions.push_back(std::move(region));
 }
 
 /// Places the tile about the rays' ends on the pixel grid of the whole fan. False where there is nothing to paint.
@@ -148,10 +188,14 @@ bool RegionFinder::layTile(std::uint64_t first, std::uint64_t last, double near_
 }
 
 void RegionFinder::paintTile(std::uint64_t first, std::uint64_t last, double near_m, double far_m) {
+    for (std::uint64_t k = first + 1; k <= last; ++k)
+        paintWedge(rowAt(k - 1).ray, rowAt(k).ray, {near_m, far_m}, tile_);
+}
+
+void RegionFinder::paintBackground(std::uint64_t first, std::uint64_t last, double near_m, double far_m) {
     for (std::uint64_t k = first + 1; k <= last; ++k) {
         const Row& a = rowAt(k - 1);
         const Row& b = rowAt(k);
-        paintWedge(a.ray, b.ray, {near_m, far_m}, tile_);
         Ray background_a = a.ray, background_b = b.ray;
         background_a.levels = a.echo.background;
         background_b.levels = b.echo.background;

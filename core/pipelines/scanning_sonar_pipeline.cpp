@@ -15,7 +15,11 @@ double pickRadius(double range_m) { return std::max(pick_radius_m, pick_radius_s
 }  // namespace
 
 ScanningSonarPipeline::ScanningSonarPipeline(const Params& params, std::uint64_t seed)
-    : params_(params), fan_(params.fan), regions_(params.regions), tracker_(params.tracker, seed), follower_(params.follow) {}
+    : params_(params),
+      fan_(params.fan),
+      regions_(params.regions, params.enhancement),
+      tracker_(params.tracker, seed),
+      follower_(params.follow) {}
 
 const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory& navigation) {
     update_ = Update{.ping = ping.sequence, .time = ping.time, .sweep = sweeps_};
@@ -33,13 +37,17 @@ const Update& ScanningSonarPipeline::process(const Ping& ping, const PoseHistory
     update_.navigation_gap = !at_transmit || !at_far_end;
     if (at_transmit) vehicle_ = fromStart(*at_transmit);
     update_.later_pose = at_far_end ? fromStart(*at_far_end) : vehicle_;
-    const Ray ray = makeRay(ping, vehicle_, update_.later_pose, params_.head, *first_ping_);
     SweepFollower::Step step = sweep_.follow(ping.bearing, ping.step_rad, ping.time);
+    if (params_.tracker.method.motion_correction)
+        held_.reset();
+    else
+        holdPose(step);
+    const Ray ray = makeRay(ping, vehicle_, update_.later_pose, params_.head, *first_ping_);
     step.turned_round |= update_.navigation_gap;
     beam_ = beamOf(ping, ray, step, !navigation.empty());
 
     // What has it just left? Regions grow there, and nowhere else.
-    if (step.turned_round) regions_.breakOff(update_.regions);
+    if (step.turned_round || (step.sweep_ended && regions_.waitsForSweep())) regions_.breakOff(update_.regions);
     tracker_.interestsAt(beam_, interests_);
     regions_.add(ping, ray, beam_.head, *first_ping_, interests_, update_.regions);
     if (paint_fan_) fan_.add(ray, ping.range_scale_m, step.turned_round);
@@ -68,6 +76,12 @@ Pose ScanningSonarPipeline::fromStart(const Pose& pose) {
     return {pose.north_m - origin_->north_m, pose.east_m - origin_->east_m, pose.heading};
 }
 
+/// As if the vehicle stood still during a sweep.
+void ScanningSonarPipeline::holdPose(const SweepFollower::Step& step) {
+    if (!held_ || step.turned_round || step.sweep_ended) held_ = vehicle_;
+    vehicle_ = update_.later_pose = *held_;
+}
+
 const Update& ScanningSonarPipeline::finish() {
     update_.sweep_ended = false;
     update_.regions.clear();
@@ -85,7 +99,8 @@ BeamMoment ScanningSonarPipeline::beamOf(const Ping& ping, const Ray& ray, const
     std::optional<WatchedSector> watched;
     if (const auto& sector = follower_.chosen())
         watched = WatchedSector{Bearing::degrees(sector->centre_deg) + vehicle_.heading.inRadians(),
-                   radiansFromDegrees(sector->width_deg / 2.0), radiansFromDegrees(params_.head.sector_width_deg)};
+                                radiansFromDegrees(sector->width_deg / 2.0),
+                                radiansFromDegrees(params_.head.sector_width_deg)};
     return {.time = ping.time,
             .head = {origin.x(), origin.y(), vehicle_.heading},
             .azimuth = Bearing::radians(ray.azimuth_rad),
@@ -104,7 +119,7 @@ BeamMoment ScanningSonarPipeline::beamOf(const Ping& ping, const Ray& ray, const
 void ScanningSonarPipeline::setParams(const Params& params) {
     params_ = params;
     fan_.setParams(params.fan);
-    regions_.setParams(params.regions);
+    regions_.setParams(params.regions, params.enhancement);
     tracker_.setParams(params.tracker);
     follower_.setParams(params.follow);
 }

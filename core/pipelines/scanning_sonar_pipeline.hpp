@@ -43,7 +43,7 @@ public:
         HeadSettings head;
         NavigationParams navigation;
         FanProjector::Params fan;
-        LocalEnhancementParams enhancement;  ///< for the eye; the pipeline itself does not use it
+        LocalEnhancementParams enhancement;  ///< for the eye, and for regions where detect_on says so
         RegionFinderParams regions;
         Tracker::Params tracker;
         FollowParams follow;
@@ -101,6 +101,7 @@ private:
     };
     BeamMoment beamOf(const Ping& ping, const Ray& ray, const SweepFollower::Step& step, bool navigation_known) const;
     Pose fromStart(const Pose& pose);
+    void holdPose(const SweepFollower::Step& step);
     void applyPick();
 
     Params params_;
@@ -115,6 +116,7 @@ private:
     std::vector<RangeOfInterest> interests_;
     std::optional<Pick> pick_;
     std::optional<Timestamp> first_ping_;
+    std::optional<Pose> held_;    ///< where the sweep began, while motion is not corrected
     std::optional<Pose> origin_;  ///< of the local frame, in the frame of navigation
     bool paint_fan_ = true;
     std::uint64_t sweeps_ = 0;

@@ -23,6 +23,7 @@ struct MethodParams {
     Births births = Births::Everything;
     Sharing sharing = Sharing::Joint;
     PredictedCovariance predicted_covariance = PredictedCovariance::Refreshed;
+    bool motion_correction = true;
 };
 
 template <>
@@ -46,7 +47,10 @@ struct Described<MethodParams> {
             &P::predicted_covariance,
             "predicted_covariance",
             {"refreshed", "as_printed"},
-            "As printed, equation 6 never refreshes the predicted covariance: only to show what that does"}};
+            "As printed, equation 6 never refreshes the predicted covariance: only to show what that does"},
+        flag(&P::motion_correction, "motion_correction",
+             "Place each ping by where the vehicle was then; off, a whole sweep is drawn from where it began: only to "
+             "show what that does")};
 };
 
 }  // namespace echotrail
