@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/data/scan_sector.hpp"
 #include "core/runtime/scene.hpp"
 #include "ui/views/fan_picture.hpp"
 
