@@ -3,6 +3,9 @@
 #include "core/runtime/scene.hpp"
 #include "ui/views/fan_picture.hpp"
 
+// After those above: moc of Qt 6.4 stumbles over <compare> where it meets it first.
+#include "core/data/scan_sector.hpp"
+
 #include <QWidget>
 #include <memory>
 #include <optional>
