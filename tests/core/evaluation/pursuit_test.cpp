@@ -74,6 +74,7 @@ TEST(PursuitRecord, FiguresCountFromWhereTheVehicleIsSteered) {
     ASSERT_TRUE(record.figures());
     EXPECT_NEAR(record.figures()->seconds, 1.0, 1e-9);
     EXPECT_NEAR(record.figures()->mean_m, 10, 1e-9);
+    EXPECT_FALSE(record.figuresSinceReached()) << "it is 30 m away all the time";
     const std::string csv = record.csv();
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 21);
     EXPECT_NE(csv.find("\n1.5,0.000,0.000,0.000,30.000,0.000,30.000,1\n"), std::string::npos) << csv;
