@@ -1,21 +1,16 @@
 #pragma once
 
 #include "app/io/report_sender.hpp"
-#include "core/data/pose.hpp"
-#include "core/data/track.hpp"
 #include "core/navigation/local_plane.hpp"
-#include "core/pipelines/scanning_sonar_pipeline.hpp"
-#include "core/tracking/target_report.hpp"
+#include "core/pipelines/target_watch.hpp"
 
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <vector>
 
 namespace echotrail {
 
-/// What the motion controller is told of the designated target: every look at it, and at a steady rate where it is by
-/// now as predicted. Where the head has been silent for 3 s, what is said is invalid.
+/// Sends a motion controller what is known of the designated target (TargetWatch).
 /// Threads: take() on the pipeline's, the rest on the one it was made in.
 class TargetFeed {
 public:
@@ -30,19 +25,12 @@ public:
 
 private:
     TargetFeed(std::unique_ptr<ReportSender> sender, bool nmea) : nmea_(nmea), sender_(std::move(sender)) {}
-    void followOwnMotion(const Update& update);
-    OwnMotion ownAt(Timestamp time) const;
     void say(const TargetReport& report, Timestamp first_ping, const std::optional<LocalPlane>& plane);
 
     bool nmea_;
     std::unique_ptr<ReportSender> sender_;
     std::mutex mutex_;
-    std::optional<Track> target_;
-    OwnMotion own_;
-    Timestamp own_time_{}, heard_{};     ///< of own_; of the last ping
-    std::optional<Pose> origin_;         ///< of the local frame, in the frame of navigation
-    std::optional<TimedPose> baseline_;  ///< what the own velocity is measured from
-    std::vector<TrackLook> fresh_;
+    TargetWatch watch_;
 };
 
 }  // namespace echotrail

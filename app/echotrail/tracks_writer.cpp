@@ -1,20 +1,14 @@
 #include "tracks_writer.hpp"
 
-#include <cassert>
+#include "core/tracking/track_text.hpp"
+
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <iostream>
 
 namespace echotrail {
 
 namespace {
-
-/// Micrometres and microdegrees are finer than any sonar; all digits of a double only make the lines long.
-double rounded(double value, double digits = 1e6) {
-    assert(std::isfinite(value));
-    return std::round(value * digits) / digits + 0.0;  // + 0.0: no "-0.0"
-}
 
 /// The same numbers in the order of the line, the covariance in three columns.
 std::string csvRow(const nlohmann::ordered_json& line) {
@@ -36,26 +30,6 @@ constexpr std::string_view csv_header =
     "covariance_nn_m2,covariance_ne_m2,covariance_ee_m2,seen";
 
 }  // namespace
-
-nlohmann::ordered_json trackLine(const TrackLook& look, Timestamp first_ping) {
-    constexpr double covariance_digits = 1e9;
-    const Eigen::Matrix2d& c = look.covariance_m2;
-    return {{"time", toIso8601(look.time)},
-            {"t", rounded(secondsBetween(first_ping, look.time))},
-            {"track", look.track},
-            {"state", toText(look.state)},
-            {"target", look.target},
-            {"range_m", rounded(look.range_m)},
-            {"bearing_deg", rounded(look.bearing.inDegrees())},
-            {"north_m", rounded(look.position_m.x())},
-            {"east_m", rounded(look.position_m.y())},
-            {"velocity_north_mps", rounded(look.velocity_mps.x())},
-            {"velocity_east_mps", rounded(look.velocity_mps.y())},
-            {"covariance_m2",
-             {rounded(c(0, 0), covariance_digits), rounded(c(0, 1), covariance_digits),
-              rounded(c(1, 1), covariance_digits)}},
-            {"seen", look.seen}};
-}
 
 Result<std::unique_ptr<TracksWriter>> TracksWriter::open(const std::string& path, TracksFormat format) {
     std::unique_ptr<TracksWriter> writer(new TracksWriter(path, format));

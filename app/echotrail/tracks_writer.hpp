@@ -48,7 +48,4 @@ private:
     std::uint64_t late_ = 0;
 };
 
-/// A line of the tracks file: the fields' names are fixed, other programs read them.
-nlohmann::ordered_json trackLine(const TrackLook& look, Timestamp first_ping);
-
 }  // namespace echotrail

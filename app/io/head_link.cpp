@@ -100,6 +100,7 @@ void HeadLink::close() {
 
 void HeadLink::setSettings(const HeadSettings& settings) {
     settings_ = settings;
+    follows_ = false;
     aim();
     converse();
 }
@@ -109,6 +110,7 @@ void HeadLink::setSettings(const HeadSettings& settings) {
 void HeadLink::aim() {
     const auto wanted = runner_.sector();
     const bool follows = wanted && contains(scanSector(settings_), *wanted);
+    follows_ |= follows;
     session_.setSettings(now(), follows ? withSector(settings_, *wanted) : settings_);
 }
 
@@ -181,7 +183,8 @@ void HeadLink::noteHead(const seanet::HeadStatus& status) {
     const auto told = [this](const std::string& text) { Q_EMIT noted("head: " + QString::fromStdString(text)); };
     if (current_.head.state != status.state)
         told(headStateText(status.state) + (status.head.empty() ? "" : " (" + status.head + ")"));
-    if (current_.head.difference != status.difference && !status.difference.empty())
+    // Where it follows the target it is told something new every second or so: that it lags behind is no news.
+    if (!follows_ && current_.head.difference != status.difference && !status.difference.empty())
         told("not as commanded: " + status.difference);
     if (current_.head.advice != status.advice && !status.advice.empty()) told(status.advice);
 }

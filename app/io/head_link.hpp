@@ -62,6 +62,7 @@ private:
     const LiveAddresses addresses_;
     LiveRunner& runner_;
     HeadSettings settings_;  ///< the operator's
+    bool follows_ = false;   ///< the head has been told other sectors than theirs since they were set
     seanet::HeadSession session_;
     std::unique_ptr<ByteChannel> sonar_, navigation_;
     QTimer deadline_{this};

@@ -9,6 +9,7 @@ namespace echotrail {
 namespace {
 
 constexpr int navigation_interval_ms = 50;
+constexpr qsizetype longest_report = 4096;
 
 QByteArray toQt(std::span<const std::uint8_t> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), static_cast<int>(bytes.size())};
@@ -22,7 +23,11 @@ SimulatedDevice::SimulatedDevice(const Setup& setup)
     : setup_(setup),
       head_(setup.head,
             [this](const HeadSetup& head, Microseconds at, std::uint64_t number) { return hear(head, at, number); }),
-      faults_(setup.faults, setup.seed) {}
+      faults_(setup.faults, setup.seed) {
+    if (!setup_.pursuit) return;
+    pursuer_.emplace(*setup_.pursuit, setup_.scenario);
+    setup_.scenario.vehicle.steered = pursuer_->path();
+}
 
 void SimulatedDevice::start() {
     deadline_.setSingleShot(true);
@@ -45,6 +50,7 @@ void SimulatedDevice::receive(const QByteArray& bytes) {
 std::vector<std::uint8_t> SimulatedDevice::hear(const HeadSetup& head, Microseconds at, std::uint64_t number) {
     if (!first_transmission_) first_transmission_ = at;
     const double time_s = std::chrono::duration<double>(at - *first_transmission_).count();
+    if (pursuer_) pursuer_->moveTo(time_s);
     return simulateEcho(setup_.scenario, setup_.seed, head, time_s, number);
 }
 
@@ -88,8 +94,43 @@ void SimulatedDevice::sayNavigation() {
         return;
     }
     const Microseconds since = now() - *first_transmission_;
+    if (pursuer_) pursuer_->moveTo(std::chrono::duration<double>(since).count());
     if (!nmea_) nmea_.emplace(setup_.scenario, setup_.seed, utcNow() - since);
     for (const NmeaOutput::Said& said : nmea_->take(since)) Q_EMIT navigationSaid(QByteArray::fromStdString(said.text));
+}
+
+void SimulatedDevice::receiveReports(const QByteArray& bytes) {
+    report_begun_ += bytes;
+    for (qsizetype end = report_begun_.indexOf('\n'); end >= 0; end = report_begun_.indexOf('\n')) {
+        hearReport(report_begun_.left(end));
+        report_begun_.remove(0, end + 1);
+    }
+    if (report_begun_.size() <= longest_report) return;
+    report_begun_.clear();
+    ++bad_reports_;
+}
+
+void SimulatedDevice::hearReport(const QByteArray& line) {
+    const auto report = readSteeringReport({line.constData(), static_cast<std::size_t>(line.size())});
+    if (!report) {
+        ++bad_reports_;
+        return;
+    }
+    const auto time_s = scenarioTime();
+    if (!pursuer_ || !time_s) return;
+    pursuer_->moveTo(*time_s);
+    pursuer_->hear(*report, *time_s);
+}
+
+std::optional<double> SimulatedDevice::scenarioTime() const {
+    if (!first_transmission_) return std::nullopt;
+    return std::chrono::duration<double>(now() - *first_transmission_).count();
+}
+
+const PursuingVehicle* SimulatedDevice::pursuer() {
+    if (!pursuer_) return nullptr;
+    if (const auto time_s = scenarioTime()) pursuer_->moveTo(*time_s);
+    return &*pursuer_;
 }
 
 Microseconds SimulatedDevice::now() const {

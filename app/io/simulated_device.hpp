@@ -2,6 +2,7 @@
 
 #include "core/simulation/link_faults.hpp"
 #include "core/simulation/nmea_output.hpp"
+#include "core/simulation/pursuing_vehicle.hpp"
 #include "core/simulation/scenario.hpp"
 #include "core/simulation/simulated_head.hpp"
 
@@ -27,6 +28,7 @@ public:
         std::uint64_t seed = 0;
         SimulatedHeadOptions head;
         LinkFaultParams faults;
+        std::optional<PursuitParams> pursuit;  ///< the vehicle is steered by the reports it hears
     };
     explicit SimulatedDevice(const Setup& setup);
 
@@ -34,9 +36,19 @@ public:
     void start();
     /// What its host sends.
     void receive(const QByteArray& bytes);
+    /// What the tracker reports of its target, for a vehicle that is steered by it: whole lines or pieces of them. What
+    /// is none is counted.
+    void receiveReports(const QByteArray& bytes);
+    /// Seconds since the scenario began; nothing before the head's first transmission.
+    std::optional<double> scenarioTime() const;
+    /// As it is acted out, with the vehicle that is steered.
+    const Scenario& scenario() const { return setup_.scenario; }
+    /// Moved on to now; nothing where the vehicle goes its scenario's way.
+    const PursuingVehicle* pursuer();
     std::uint64_t transmissions() const { return head_.transmissions(); }
     const std::map<std::string, std::uint64_t>& ignored() const { return head_.ignored(); }
     const std::map<std::string, std::uint64_t>& faults() const { return faults_.counts(); }
+    std::uint64_t badReports() const { return bad_reports_; }
 
 Q_SIGNALS:
     /// What came through the head's line.
@@ -50,9 +62,13 @@ private:
     void move();
     void happen(const LinkHappening& happening);
     void sayNavigation();
+    void hearReport(const QByteArray& line);
     Microseconds now() const;
 
     Setup setup_;
+    std::optional<PursuingVehicle> pursuer_;
+    QByteArray report_begun_;
+    std::uint64_t bad_reports_ = 0;
     SimulatedHead head_;
     LinkFaults faults_;
     std::optional<NmeaOutput> nmea_;

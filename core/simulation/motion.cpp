@@ -61,19 +61,24 @@ double altitudeAt(const Scenario& scenario, double time_s) {
 
 VehicleState vehicleState(const Scenario& scenario, double time_s) {
     const VehicleMotion& vehicle = scenario.vehicle;
+    const double depth_m = scenario.water_depth_m - scenario.altitude_m;
+    const Eigen::Vector2d current(vehicle.current_north_mps, vehicle.current_east_mps);
+    if (vehicle.steered) {
+        const VehiclePath::Moment at = vehicle.steered->at(time_s);
+        return {at.pose, at.over_ground_mps, at.over_ground_mps - current, altitudeAt(scenario, time_s), depth_m};
+    }
     TargetMotion own{{vehicle.speed_mps * time_s, 0.0}, {vehicle.speed_mps, 0.0}};
     double ahead_rad = 0.0;
     if (vehicle.follow_lag_s > 0.0) {
         own = targetMotion(scenario.targets.front(), time_s - vehicle.follow_lag_s);
         ahead_rad = directionOf(targetMotion(scenario.targets.front(), time_s).position_m - own.position_m);
     }
-    const Eigen::Vector2d current(vehicle.current_north_mps, vehicle.current_east_mps);
     const double turn_rad = swayRadians(vehicle, time_s) + crabRadians(vehicle, own.velocity_mps);
     return {.pose = {own.position_m.x(), own.position_m.y(), Bearing::radians(ahead_rad + turn_rad)},
             .over_ground_mps = own.velocity_mps,
             .through_water_mps = own.velocity_mps - current,
             .altitude_m = altitudeAt(scenario, time_s),
-            .depth_m = scenario.water_depth_m - scenario.altitude_m};
+            .depth_m = depth_m};
 }
 
 Pose vehiclePose(const Scenario& scenario, double time_s) { return vehicleState(scenario, time_s).pose; }

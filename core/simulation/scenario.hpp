@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/data/pose.hpp"
+#include "core/simulation/vehicle_path.hpp"
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -65,6 +67,8 @@ struct VehicleMotion {
     double current_north_mps = 0.0;  ///< the water's own motion over ground
     double current_east_mps = 0.0;
     double crab_share = 0.3;  ///< the part of the drift angle that the bow takes; thrusters hold the rest
+    /// It is steered from outside: it is where this says, and nothing of the above but the current matters.
+    std::shared_ptr<const VehiclePath> steered;
 };
 
 /// What navigation says wrongly. Position is reckoned from velocity and drawn back to the truth by fixes.

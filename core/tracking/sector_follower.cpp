@@ -48,8 +48,8 @@ std::optional<SectorFollower::Part> SectorFollower::needed(const TargetOutlook& 
     const ExpectedPlace place = expectedPlace(target.expected, beam.head);
     const double reach_m = params_.follow_margin_sigmas * place.across_sigma_m + target.across_range_m / 2.0;
     if (reach_m >= place.range_m) return std::nullopt;  // it may be all about the head
-    // The beam has to leave the target at either side: then the echo is whole.
-    const double beside_rad = std::atan2(reach_m, place.range_m) + beam.beam_width_rad / 2.0 + 2.0 * beam.step_rad;
+    // The beam has to leave the echo at either side: then it is whole.
+    const double beside_rad = std::atan2(reach_m, place.range_m) + 2.0 * beam.step_rad;
     const double half_deg = degreesFromRadians(beside_rad) * std::pow(params_.follow_widening, target.misses);
     const Bearing from_bow = place.azimuth + -beam.head.heading.inRadians();
     const double middle = offsetIn(limit, from_bow);

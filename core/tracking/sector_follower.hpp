@@ -13,9 +13,9 @@ struct FollowParams {
     bool follow_target = false;
     double follow_least_width_deg = 18.0;
     double follow_margin_sigmas = 3.0;
-    double follow_slack_deg = 3.6;
+    double follow_slack_deg = 2.0;
     double follow_widening = 2.0;
-    double follow_look_round_s = 15.0;
+    double follow_look_round_s = 20.0;
 };
 
 template <>
@@ -42,7 +42,7 @@ struct TargetOutlook {
     TrackState state = TrackState::Tentative;
     int misses = 0;             ///< looks in a row without an echo
     GaussianState expected;     ///< predicted to that time
-    double across_range_m = 0;  ///< how wide its echo is expected
+    double across_range_m = 0;  ///< how wide its echo is expected, beam and all
 };
 
 /// Chooses what the head scans next: about the place where the operator's target is expected, so that the same head

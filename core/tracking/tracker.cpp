@@ -46,8 +46,10 @@ void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions,
     for (FollowedTrack& followed : followed_) {
         const ExpectedPlace place = expectedPlace(predict(followed, beam.time), beam.head);
         const double half_width = halfWidth(place);
-        followed.pass.follow(beam, place, half_width);
         waitUnwatched(followed, place, passed_s);
+        const bool elsewhere = beam.watched && !beam.watched->holds(place.azimuth) && !followed.track.target;
+        const bool begun = followed.pass.inside() || followed.pass.ended();
+        if (!elsewhere || begun) followed.pass.follow(beam, place, half_width);
         followed.expected_range_m = place.range_m;
         const double along = gate_sigmas * place.along_sigma_m + followed.track.expected_features.along_range_m;
         followed.track.region_of_interest = {
@@ -81,7 +83,8 @@ void Tracker::giveUpUnseen(std::vector<TrackLook>& looks) {
     }
 }
 
-/// Where the head follows the target, an object elsewhere cannot be seen, and so is none the worse for it.
+/// Where the head follows the target, an object elsewhere cannot be seen, and so is none the worse for it. Nor does it
+/// lay claim to what is seen about the target, however uncertain its own place grows.
 void Tracker::waitUnwatched(FollowedTrack& followed, const ExpectedPlace& place, double passed_s) const {
     if (beam_.watched && !beam_.watched->holds(place.azimuth)) followed.unwatched_s += passed_s;
 }
@@ -96,8 +99,12 @@ std::optional<TargetOutlook> Tracker::targetAt(Timestamp time) const {
     for (const FollowedTrack& followed : followed_) {
         const Track& track = followed.track;
         if (!track.target) continue;
-        return TargetOutlook{track.state, track.misses, predict(followed, std::max(time, track.estimate.time)),
-                             track.expected_features.across_range_m};
+        GaussianState expected = predict(followed, std::max(time, track.estimate.time));
+        // While the beam passes over it, its echo is only awaited: that grows no less sure by its being told late.
+        const bool awaited = followed.pass.inside() || followed.pass.ended();
+        const Timestamp known = awaited ? followed.pass.start() : beam_.time;
+        expected.covariance = predict(followed, std::max(known, track.estimate.time)).covariance;
+        return TargetOutlook{track.state, track.misses, expected, track.expected_features.across_range_m};
     }
     return std::nullopt;
 }

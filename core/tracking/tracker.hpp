@@ -137,7 +137,7 @@ public:
     void restore(int track);
     bool isDropped(int track) const;
 
-    /// The operator's target as it is expected at `time`; nothing where there is none.
+    /// The operator's target as it is expected at `time`, as surely as it is known now; nothing where there is none.
     std::optional<TargetOutlook> targetAt(Timestamp time) const;
 
     /// The tracks that are followed, lost ones that may still come back included, dropped ones not.

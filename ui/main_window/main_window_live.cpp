@@ -64,16 +64,17 @@ void MainWindow::askForHead() {
 void MainWindow::showSector() {
     const PipelineBridge::Params& params = bridge_.params();
     const bool follows = params.follow.follow_target;
-    fan_->setWholeSector(follows ? std::optional(scanSector(params.head)) : std::nullopt);
-    if (!bridge_.isLive()) return fan_->setSector(std::nullopt, false);
     const HeadSettings& told = params.head;
+    const CommandedSector whole{told.sector_centre_deg, told.sector_width_deg, told.step_deg};
+    fan_->setWholeSector(follows ? std::optional(whole) : std::nullopt);
+    if (!bridge_.isLive()) return fan_->setSector(std::nullopt, false);
     const seanet::HeadStatus& head = bridge_.liveState().head;
     const auto same = [&](const HeadSettings& other) {
-        const ScanSector whole = scanSector(told), scanned = scanSector(other);
-        return (scanned == whole || (follows && contains(whole, scanned))) && other.step_deg == told.step_deg;
+        const ScanSector wanted = scanSector(told), scanned = scanSector(other);
+        return (scanned == wanted || (follows && contains(wanted, scanned))) && other.step_deg == told.step_deg;
     };
     const bool confirmed = same(head.commanded) && head.confirmed && head.difference.empty();
-    fan_->setSector(CommandedSector{told.sector_centre_deg, told.sector_width_deg, told.step_deg}, confirmed);
+    fan_->setSector(whole, confirmed);
 }
 
 void MainWindow::commandSector(const CommandedSector& sector) {

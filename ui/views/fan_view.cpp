@@ -122,7 +122,7 @@ void FanView::setSelectedTrack(int id) {
 Sector FanView::sectorToShow() const {
     Sector shown = sectorToFit(*scene_);
     if (!whole_sector_ || radiansFromDegrees(whole_sector_->width_deg) <= shown.width_rad) return shown;
-    shown.left = whole_sector_->left();
+    shown.left = whole_sector_->edge(SectorEdge::Left);
     shown.width_rad = radiansFromDegrees(whole_sector_->width_deg);
     return shown;
 }

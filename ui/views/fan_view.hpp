@@ -67,7 +67,7 @@ public:
     void setSector(const std::optional<CommandedSector>& commanded, bool confirmed);
     /// What the picture is fitted to while a head that follows the target scans only a part of it; none: what is
     /// scanned.
-    void setWholeSector(const std::optional<ScanSector>& whole);
+    void setWholeSector(const std::optional<CommandedSector>& whole);
     /// Moves the sector's edges by keys from now on.
     void editSector();
     /// Fits the sector into the widget again.
@@ -149,7 +149,7 @@ private:
     QPointF dragged_from_;
     bool dragging_ = false;
     SectorHandles sector_;
-    std::optional<ScanSector> whole_sector_;
+    std::optional<CommandedSector> whole_sector_;
     std::optional<Measurement> measurement_;
     bool measurement_open_ = false;           ///< its second place still follows the cursor
     std::optional<QPointF> measure_pressed_;  ///< while the hand holds an end of it

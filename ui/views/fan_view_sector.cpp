@@ -12,7 +12,7 @@ constexpr int quick_steps = 10;
 
 }  // namespace
 
-void FanView::setWholeSector(const std::optional<ScanSector>& whole) {
+void FanView::setWholeSector(const std::optional<CommandedSector>& whole) {
     if (whole == whole_sector_) return;
     whole_sector_ = whole;
     update();

@@ -57,7 +57,7 @@ TEST(CommandedScan, AFarTurnOfTheMotorTakesTime) {
     EXPECT_EQ(scan.next().number, 1u);
     const CommandedScan::Look there = scan.next();
     EXPECT_NEAR(there.bearing.inDegrees(), 36.4, 0.1);
-    EXPECT_EQ(there.number, 5u) << "80 degrees at 0.25 ms for each sixteenth of a gradian: 0.35 s";
+    EXPECT_EQ(there.number, 6u) << "80 degrees at 0.25 ms for each sixteenth of a gradian take 0.35 s more than a step";
 }
 
 TEST(CommandedScan, RoundAndRound) {
