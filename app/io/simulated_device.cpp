@@ -1,6 +1,6 @@
 #include "app/io/simulated_device.hpp"
 
-#include "core/simulation/ping_model.hpp"
+#include "core/simulation/echo_model.hpp"
 
 #include <algorithm>
 
@@ -22,7 +22,10 @@ SimulatedDevice::SimulatedDevice(const Setup& setup)
     : setup_(setup),
       head_(setup.head,
             [this](const HeadSetup& head, Microseconds at, std::uint64_t number) { return hear(head, at, number); }),
-      faults_(setup.faults, setup.seed) {}
+      faults_(setup.faults, setup.seed),
+      echoes_(std::make_unique<EchoModel>(setup.scenario, setup.seed)) {}
+
+SimulatedDevice::~SimulatedDevice() = default;
 
 void SimulatedDevice::start() {
     deadline_.setSingleShot(true);
@@ -45,7 +48,7 @@ void SimulatedDevice::receive(const QByteArray& bytes) {
 std::vector<std::uint8_t> SimulatedDevice::hear(const HeadSetup& head, Microseconds at, std::uint64_t number) {
     if (!first_transmission_) first_transmission_ = at;
     const double time_s = std::chrono::duration<double>(at - *first_transmission_).count();
-    return simulateEcho(setup_.scenario, setup_.seed, head, time_s, number);
+    return echoes_->echo(head, time_s, number);
 }
 
 /// Does what is due, hands over what is through the line, and comes back in time for the next.

@@ -2,6 +2,7 @@
 
 #include "core/base/result.hpp"
 #include "core/data/source.hpp"
+#include "core/simulation/echo_model.hpp"
 #include "core/simulation/scenario.hpp"
 
 #include <cstdint>
@@ -52,6 +53,7 @@ private:
     std::vector<Ping> kept_;  ///< the first ones
     SourceInfo info_;
     PoseHistory navigation_;
+    EchoModel model_;
 };
 
 /// A built-in scenario by its name; "demo" is the demonstration. The error names them all.
