@@ -33,7 +33,7 @@ std::string csvRow(const nlohmann::ordered_json& line) {
 
 constexpr std::string_view csv_header =
     "time,t,track,state,target,range_m,bearing_deg,north_m,east_m,velocity_north_mps,velocity_east_mps,"
-    "covariance_nn_m2,covariance_ne_m2,covariance_ee_m2,seen";
+    "covariance_nn_m2,covariance_ne_m2,covariance_ee_m2,seen,cause";
 
 }  // namespace
 
@@ -54,7 +54,8 @@ nlohmann::ordered_json trackLine(const TrackLook& look, Timestamp first_ping) {
             {"covariance_m2",
              {rounded(c(0, 0), covariance_digits), rounded(c(0, 1), covariance_digits),
               rounded(c(1, 1), covariance_digits)}},
-            {"seen", look.seen}};
+            {"seen", look.seen},
+            {"cause", toText(look.no_echo)}};
 }
 
 Result<std::unique_ptr<TracksWriter>> TracksWriter::open(const std::string& path, TracksFormat format) {

@@ -17,6 +17,23 @@ enum class TrackState { Tentative, Confirmed, Coasting, Lost };
 /// "tentative", "confirmed", "coasting", "lost".
 std::string_view toText(TrackState state);
 
+/// Why a look used no echo, as far as can be told without knowing where the target truly was.
+enum class NoEcho {
+    None,                ///< one was used
+    OutsideSector,       ///< sweeps were finished, and none passed over the place
+    NotYetScanned,       ///< the beam has not come by yet
+    UnderThreshold,      ///< the beam was there, and nothing stood out
+    Merged,              ///< what was there had run into something larger
+    TakenByAnother,      ///< what was there is another track's
+    OutscoredByClutter,  ///< what was there was more likely clutter
+    NavigationGap,       ///< poses were missing since the last look
+    PingsMissing         ///< pings were missing since the last look: the head restarted, or the link was lost
+};
+inline constexpr int no_echo_causes = static_cast<int>(NoEcho::PingsMissing) + 1;
+
+/// "under the threshold", …; nothing where an echo was used.
+std::string_view toText(NoEcho cause);
+
 /// A Gaussian over position and velocity in the local frame: north, east (m), north, east (m/s).
 struct GaussianState {
     Timestamp time{};
@@ -48,6 +65,7 @@ struct TrackLook {
     TrackState state = TrackState::Tentative;
     bool target = false;         ///< the operator's designated one
     bool seen = false;           ///< an echo was used; else a prediction
+    NoEcho no_echo = NoEcho::None;  ///< why not, where that is known
     double range_m = 0.0;        ///< from the head at `time`
     Bearing bearing;             ///< from the bow at `time`
     Eigen::Vector2d position_m{0, 0};

@@ -44,6 +44,7 @@ struct EvaluatedLook {
     Bearing true_bearing;       ///< from the bow
     int track = 0;              ///< of the target at that time; 0: none
     double target_db = 0.0;     ///< contrast of the target's own region; 0: there was none
+    NoEcho told = NoEcho::None; ///< why the tracker itself says that it used no echo
 };
 
 /// One confirmed or coasting output of the designated track beside the truth at its time.

@@ -99,7 +99,9 @@ BeamMoment ScanningSonarPipeline::beamOf(const Ping& ping, const Ray& ray, const
             .faintest_db = params_.regions.screen.seed_excess_db - params_.regions.screen.interest_lowering_db,
             .turned_round = step.turned_round,
             .sweep_ended = step.sweep_ended,
-            .navigation_known = navigation_known};
+            .navigation_known = navigation_known,
+            .navigation_gap = update_.navigation_gap,
+            .pings_missing = step.pings_missing};
 }
 
 void ScanningSonarPipeline::setParams(const Params& params) {

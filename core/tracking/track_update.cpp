@@ -26,7 +26,6 @@ constexpr double vaguest_side_lobe_m = 1.0;  // where the object is known less w
 constexpr double sure_association = 0.9, least_likeness_to_learn = 0.1;
 constexpr double real_claim = 0.2;    // of the strongest claim to a region: less is no competition
 constexpr double one_place = 9.0;     // squared normalised distance
-constexpr double merged_area = 1.5;   // of what is expected: a region this large may hold more than one echo
 constexpr double merged_share = 0.3;  // of what is beyond the expected extent: how well the whole places one of them
 
 bool areOnePlace(const Cue& a, const Cue& b) {
@@ -319,11 +318,13 @@ void Tracker::completePass(FollowedTrack& followed, const std::vector<std::size_
     const Region* region = echo && !posterior.missed ? &pending_[regions[best]].region : nullptr;
     Pairing taken = region ? pairings[best] : Pairing{};
     if (region) taken.probability = joint[best];
-    concludePass(followed, posterior, time, region, taken, !cues.empty(), looks);
+    const NoEcho cause = region ? NoEcho::None : whyNoEcho(followed, time, regions, pairings);
+    concludePass(followed, posterior, time, region, taken, !cues.empty(), cause, looks);
 }
 
 void Tracker::concludePass(FollowedTrack& followed, const GaussianParticleFilter::Posterior& posterior, Timestamp time,
-                           const Region* region, const Pairing& pairing, bool had_cues, std::vector<TrackLook>& looks) {
+                           const Region* region, const Pairing& pairing, bool had_cues, NoEcho cause,
+                           std::vector<TrackLook>& looks) {
     const bool seen = region != nullptr;
     const double coverage = followed.pass.coverage();
     const LookResult result = seen                             ? LookResult::Seen
@@ -343,11 +344,12 @@ void Tracker::concludePass(FollowedTrack& followed, const GaussianParticleFilter
     const bool still_lost = was_lost && followed.track.state == TrackState::Lost;
     if (result != LookResult::NotLookedAt && !still_lost) {
         const Pose& head = seen ? region->head : followed.pass.nearestHead();
-        looks.push_back(lookOf(followed, time, seen, head));
+        looks.push_back(lookOf(followed, time, cause, head));
         auto& history = followed.track.history;
         if (history.size() == longest_history) history.erase(history.begin());
         history.push_back(looks.back());
     }
+    if (result != LookResult::NotLookedAt) followed.navigation_gap = followed.pings_missing = false;
     followed.pass.restart();
 }
 
@@ -380,7 +382,7 @@ void Tracker::searchAgain(FollowedTrack& followed, LookResult result, Timestamp 
     reacquire(followed.track, time);
 }
 
-TrackLook Tracker::lookOf(const FollowedTrack& followed, Timestamp time, bool seen, const Pose& head) const {
+TrackLook Tracker::lookOf(const FollowedTrack& followed, Timestamp time, NoEcho cause, const Pose& head) const {
     const Track& track = followed.track;
     const Eigen::Vector2d position = track.estimate.mean.head<2>();
     const double north = position.x() - head.north_m, east = position.y() - head.east_m;
@@ -388,7 +390,8 @@ TrackLook Tracker::lookOf(const FollowedTrack& followed, Timestamp time, bool se
             .track = track.id,
             .state = track.state,
             .target = track.target,
-            .seen = seen,
+            .seen = cause == NoEcho::None,
+            .no_echo = cause,
             .range_m = std::hypot(north, east),
             .bearing = Bearing::radians(std::atan2(east, north) - head.heading.inRadians()),
             .position_m = position,
