@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "core/base/angles.hpp"
 #include "core/pipelines/sweep_follower.hpp"
+#include "core/recording/log_reader.hpp"
 #include "sources.hpp"
 
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -26,6 +28,24 @@ struct Span {
     }
     Json json() const { return least > most ? Json(nullptr) : Json{least, most}; }
 };
+
+/// What the tracker's results in a log of our own tell of looks: how many, and why some used no echo. Nothing where
+/// there are none. Looks of tracks that were never confirmed do not count.
+Json describeLooks(const std::string& path) {
+    const auto log = LogReader::open(path);
+    if (!log) return nullptr;
+    std::uint64_t looks = 0;
+    std::map<std::string, std::uint64_t> causes;
+    while (const auto result = (*log)->nextResult()) {
+        if (result->kind != UpdateKind::Track) continue;
+        const Json look = Json::parse(result->text, nullptr, false);
+        if (!look.is_object() || look.value("state", "tentative") == "tentative") continue;
+        ++looks;
+        if (!look.value("seen", true)) ++causes[look.value("cause", "not told")];
+    }
+    if (looks == 0) return nullptr;
+    return {{"looks", looks}, {"without_echo", causes}};
+}
 
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
@@ -105,9 +125,9 @@ void print(const Json& all, std::ostream& out) {
     line("range scale", spanText(all["range_scale_m"], " m"));
     line("bearings", spanText(all["bearing_deg"], " deg from the head's zero"));
     line("step", spanText(all["step_deg"], " deg"));
-    line("bins", all["pings"] == 0 ? "-"
-                                   : spanText(all["bins_per_ping"], " per ping") + " of " +
-                                         spanText(all["bin_size_m"], " m"));
+    line("bins", all["pings"] == 0
+                     ? "-"
+                     : spanText(all["bins_per_ping"], " per ping") + " of " + spanText(all["bin_size_m"], " m"));
     line("frequency", spanText(all["frequency_khz"], " kHz"));
     line("gain", spanText(all["gain_percent"], " %"));
     line("speed of sound", plain(all["sound_speed_mps"]) + " m/s");
@@ -116,6 +136,10 @@ void print(const Json& all, std::ostream& out) {
     line("other messages", causesText(all["ignored"]));
     line("skipped", plain(all["skipped_bytes"]) + " bytes");
     line("lost", plain(all["lost_records"]) + " records");
+    if (!all["tracks"].is_null()) {
+        line("looks", plain(all["tracks"]["looks"]));
+        line("without an echo", causesText(all["tracks"]["without_echo"]));
+    }
     for (const Json& note : all["notes"]) line("note", plain(note));
 }
 
@@ -129,7 +153,8 @@ ExitCode info(const InfoArguments& arguments) {
     if (!address) return fail(ExitCode::Usage, address.error());
     const auto source = openSource(*address, {.without_pings = true});
     if (!source) return fail(ExitCode::Failed, source.error());
-    const Json all = describe(**source);
+    Json all = describe(**source);
+    all["tracks"] = address->path.empty() ? Json(nullptr) : describeLooks(address->path);
     if (arguments.json)
         std::cout << all.dump(2) << "\n";
     else

@@ -27,7 +27,7 @@ std::string csvRow(const nlohmann::ordered_json& line) {
 
 constexpr std::string_view csv_header =
     "time,t,track,state,target,range_m,bearing_deg,north_m,east_m,velocity_north_mps,velocity_east_mps,"
-    "covariance_nn_m2,covariance_ne_m2,covariance_ee_m2,seen";
+    "covariance_nn_m2,covariance_ne_m2,covariance_ee_m2,seen,cause";
 
 }  // namespace
 

@@ -13,6 +13,12 @@ namespace echotrail {
 
 namespace {
 
+/// As logs have it that were written before looks said why they used no echo.
+std::string textWithoutCause(TrackLook look) {
+    look.no_echo = NoEcho::None;
+    return lookText(look);
+}
+
 /// Compares what a run says with what the log kept of it, look by look.
 class Comparison {
 public:
@@ -23,7 +29,7 @@ public:
         for (const TrackLook& look : update.looks) {
             const std::string text = lookText(look);
             const auto expected = nextTrack();
-            if (expected && *expected == text) {
+            if (expected && (*expected == text || *expected == textWithoutCause(look))) {
                 ++compared_;
                 continue;
             }

@@ -1,6 +1,6 @@
 #include "app/io/simulated_device.hpp"
 
-#include "core/simulation/ping_model.hpp"
+#include "core/simulation/echo_model.hpp"
 
 #include <algorithm>
 
@@ -24,10 +24,14 @@ SimulatedDevice::SimulatedDevice(const Setup& setup)
       head_(setup.head,
             [this](const HeadSetup& head, Microseconds at, std::uint64_t number) { return hear(head, at, number); }),
       faults_(setup.faults, setup.seed) {
-    if (!setup_.pursuit) return;
-    pursuer_.emplace(*setup_.pursuit, setup_.scenario);
-    setup_.scenario.vehicle.steered = pursuer_->path();
+    if (setup_.pursuit) {
+        pursuer_.emplace(*setup_.pursuit, setup_.scenario);
+        setup_.scenario.vehicle.steered = pursuer_->path();
+    }
+    echoes_ = std::make_unique<EchoModel>(setup_.scenario, setup_.seed);
 }
+
+SimulatedDevice::~SimulatedDevice() = default;
 
 void SimulatedDevice::start() {
     deadline_.setSingleShot(true);
@@ -51,7 +55,7 @@ std::vector<std::uint8_t> SimulatedDevice::hear(const HeadSetup& head, Microseco
     if (!first_transmission_) first_transmission_ = at;
     const double time_s = std::chrono::duration<double>(at - *first_transmission_).count();
     if (pursuer_) pursuer_->moveTo(time_s);
-    return simulateEcho(setup_.scenario, setup_.seed, head, time_s, number);
+    return echoes_->echo(head, time_s, number);
 }
 
 /// Does what is due, hands over what is through the line, and comes back in time for the next.

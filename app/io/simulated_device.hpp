@@ -11,10 +11,13 @@
 #include <QTimer>
 #include <chrono>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace echotrail {
+
+class EchoModel;
 
 /// A scenario acted out by the clock: a head that speaks the real protocol and hears the scenario, over a link with
 /// faults, and the vehicle's navigation. The scenario begins with the head's first transmission, so that nothing is
@@ -31,6 +34,7 @@ public:
         std::optional<PursuitParams> pursuit;  ///< the vehicle is steered by the reports it hears
     };
     explicit SimulatedDevice(const Setup& setup);
+    ~SimulatedDevice() override;
 
     /// Powers the head up.
     void start();
@@ -71,6 +75,7 @@ private:
     std::uint64_t bad_reports_ = 0;
     SimulatedHead head_;
     LinkFaults faults_;
+    std::unique_ptr<EchoModel> echoes_;
     std::optional<NmeaOutput> nmea_;
     std::optional<Microseconds> first_transmission_;
     QTimer deadline_{this}, navigation_timer_{this};

@@ -31,4 +31,15 @@ bool RecentRegions::explain(const Region& region, const MultipathRule& rule) con
     });
 }
 
+bool RecentRegions::hasMassAt(const Eigen::Vector2d& place_m, Timestamp time) const {
+    return std::any_of(regions_.begin(), regions_.end(), [&](const Region& region) {
+        if (!region.clutter_mass || std::abs(secondsBetween(region.time, time)) >= passage_s) return false;
+        // Its outline is gone; its widths along the line of sight and across it do.
+        const Eigen::Vector2d sight = region.position_m - Eigen::Vector2d(region.head.north_m, region.head.east_m);
+        const Eigen::Vector2d along = sight / std::max(sight.norm(), 0.1), off = place_m - region.position_m;
+        return std::abs(off.dot(along)) < region.features.along_range_m / 2.0 &&
+               std::abs(off.x() * along.y() - off.y() * along.x()) < region.features.across_range_m / 2.0;
+    });
+}
+
 }  // namespace echotrail

@@ -21,6 +21,8 @@ public:
     /// Whether one of them explains this region: it lies at the same bearing and nearer, is stronger, and was seen in
     /// the same passage of the beam (method card, section d). A clutter mass explains nothing: it has no such copies.
     bool explain(const Region& region, const MultipathRule& rule) const;
+    /// Whether a place in the local frame lay in a clutter mass when the beam was there.
+    bool hasMassAt(const Eigen::Vector2d& place_m, Timestamp time) const;
 
 private:
     std::deque<Region> regions_;

@@ -2,6 +2,7 @@
 
 #include "core/pipelines/target_watch.hpp"
 #include "core/simulation/commanded_scan.hpp"
+#include "core/simulation/echo_model.hpp"
 #include "core/simulation/ping_model.hpp"
 #include "core/simulation/simulated_navigation.hpp"
 #include "core/tracking/track_text.hpp"
@@ -55,8 +56,7 @@ public:
         const Pose vehicle = vehiclePose(scenario, time_s);
         const Eigen::Vector2d way = targetMotion(scenario.targets.front(), time_s).position_m -
                                     Eigen::Vector2d(vehicle.north_m, vehicle.east_m);
-        pipeline.designate(way.norm(),
-                           Bearing::radians(std::atan2(way.y(), way.x()) - vehicle.heading.inRadians()));
+        pipeline.designate(way.norm(), Bearing::radians(std::atan2(way.y(), way.x()) - vehicle.heading.inRadians()));
         ++result.picks;
         followed_s_ = time_s;
     }
@@ -85,6 +85,7 @@ PursuitResult runPursuit(const Scenario& scenario, const ScanningSonarPipeline::
     ScanningSonarPipeline pipeline(limited, seed);
     pipeline.setFanPainting(false);
     Vessel vessel(pursuit, scenario, seed);
+    EchoModel echoes(vessel.scenario, seed);
     CommandedScan scan(scenario);
     TargetWatch watch;
     Pointing person;
@@ -93,7 +94,7 @@ PursuitResult runPursuit(const Scenario& scenario, const ScanningSonarPipeline::
         HeadSetup head = headSetup(vessel.scenario, look.number);
         head.bearing = look.bearing;
         vessel.moveTo(time_s);
-        Ping ping = simulatePing(vessel.scenario, seed, look.number, head, look.clockwise);
+        Ping ping = simulatePing(vessel.scenario, echoes, look.number, head, look.clockwise);
         ping.sequence = result.pings++;
 
         // Its last echo is back when the next one goes out; until then the vehicle knows nothing of it.

@@ -64,7 +64,9 @@ std::string comparison(const EvaluationReport& report, const Metric& metric) {
         for (std::size_t c = 0; c < report.columns.size(); ++c)
             rows.back().push_back(cellText(metric, report.overall(c), all_scenes));
     }
-    return std::string(metric.title).append(", ").append(metric.unit)
+    return std::string(metric.title)
+        .append(", ")
+        .append(metric.unit)
         .append("\n")
         .append(aligned(report.columns.size() > most_columns ? transposed(rows) : rows))
         .append("\n");
@@ -89,6 +91,14 @@ std::string sceneText(const EvaluationReport& report, std::size_t scene) {
         }
         if (any) rows.push_back(std::move(row));
     }
+    const auto unlooked = [&](std::string_view title, auto count) {
+        std::vector<std::string> row{std::string(title)};
+        for (const ScenarioSummary& summary : report.summaries[scene])
+            row.push_back(std::to_string(summary.pooled.*count));
+        rows.push_back(std::move(row));
+    };
+    unlooked("  No look: outside the sector", &TrialMetrics::sweeps_outside_sector);
+    unlooked("  No look: not yet scanned", &TrialMetrics::sweeps_unfinished);
     return aligned(rows) + "\n";
 }
 
@@ -117,6 +127,7 @@ Json lostLooks(const TrialMetrics& trial) {
         json.push_back({{"time", toIso8601(look.time)},
                         {"outcome", toText(look.outcome)},
                         {"cause", toText(look.cause)},
+                        {"tracker_says", toText(look.told)},
                         {"true_range_m", look.true_range_m},
                         {"true_bearing_deg", look.true_bearing.inDegrees()},
                         {"track", look.track},

@@ -40,10 +40,11 @@ struct EvaluatedLook {
     Timestamp time{};  ///< when the beam was on the true target
     LookOutcome outcome = LookOutcome::Absent;
     LossCause cause = LossCause::None;
-    double true_range_m = 0.0;  ///< from the head
-    Bearing true_bearing;       ///< from the bow
-    int track = 0;              ///< of the target at that time; 0: none
-    double target_db = 0.0;     ///< contrast of the target's own region; 0: there was none
+    double true_range_m = 0.0;   ///< from the head
+    Bearing true_bearing;        ///< from the bow
+    int track = 0;               ///< of the target at that time; 0: none
+    double target_db = 0.0;      ///< contrast of the target's own region; 0: there was none
+    NoEcho told = NoEcho::None;  ///< why the tracker itself says that it used no echo
 };
 
 /// One confirmed or coasting output of the designated track beside the truth at its time.
@@ -93,7 +94,7 @@ struct TrialResult {
     int target_switches = 0;   ///< the designated track went over to something else, and the operator pointed again
     int renewed_picks = 0;     ///< the operator had to point again
     std::optional<double> confirmed_after_s;  ///< from the first opportunity to the first correct confirmed look
-    double data_s = 0.0;          ///< span of the source's own time
+    double data_s = 0.0;                      ///< span of the source's own time
     std::uint64_t pings = 0;
     double mean_contrast_db = 0.0;  ///< of the target's own regions: signal to clutter
     int sweeps_outside_sector = 0;  ///< no opportunities: the target was outside what was scanned

@@ -229,6 +229,7 @@ EvaluatedLook TrialJudge::judgeOpportunity(const Opportunity& opportunity, std::
     bool tentative = false;
     for (const TrackLook& look : looks) {
         judged.track = look.track;
+        judged.told = look.no_echo;
         tentative |= look.state == TrackState::Tentative;
         const bool alive = look.state == TrackState::Confirmed || look.state == TrackState::Coasting;
         if (!alive) continue;

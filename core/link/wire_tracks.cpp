@@ -62,6 +62,7 @@ void write(const TrackLook& look, wire::Look& out) {
     out.set_state(stateOf(look.state));
     out.set_target(look.target);
     out.set_seen(look.seen);
+    out.set_no_echo(static_cast<int>(look.no_echo));
     out.set_range_m(look.range_m);
     out.set_bearing_rad(look.bearing.inRadians());
     out.set_north_m(look.position_m.x());
@@ -87,6 +88,8 @@ std::optional<TrackLook> read(const wire::Look& in) {
     look.state = static_cast<TrackState>(in.state());
     look.target = in.target();
     look.seen = in.seen();
+    // A cause that only a newer tracker knows is none here.
+    if (in.no_echo() > 0 && in.no_echo() < no_echo_causes) look.no_echo = static_cast<NoEcho>(in.no_echo());
     look.range_m = in.range_m();
     look.bearing = Bearing::radians(in.bearing_rad());
     look.position_m = {in.north_m(), in.east_m()};

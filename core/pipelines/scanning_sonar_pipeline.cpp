@@ -113,6 +113,8 @@ BeamMoment ScanningSonarPipeline::beamOf(const Ping& ping, const Ray& ray, const
             .turned_round = step.turned_round,
             .sweep_ended = step.sweep_ended,
             .navigation_known = navigation_known,
+            .navigation_gap = update_.navigation_gap,
+            .pings_missing = step.pings_missing,
             .watched = watched};
 }
 

@@ -8,17 +8,18 @@ using nlohmann::ordered_json;
 
 std::string lookText(const TrackLook& look) {
     const Eigen::Matrix2d& c = look.covariance_m2;
-    return ordered_json{{"time", toIso8601(look.time)},
-                        {"track", look.track},
-                        {"state", toText(look.state)},
-                        {"target", look.target},
-                        {"seen", look.seen},
-                        {"range_m", look.range_m},
-                        {"bearing_rad", look.bearing.inRadians()},
-                        {"position_m", {look.position_m.x(), look.position_m.y()}},
-                        {"velocity_mps", {look.velocity_mps.x(), look.velocity_mps.y()}},
-                        {"covariance_m2", {c(0, 0), c(0, 1), c(1, 1)}}}
-        .dump();
+    ordered_json text{{"time", toIso8601(look.time)},
+                      {"track", look.track},
+                      {"state", toText(look.state)},
+                      {"target", look.target},
+                      {"seen", look.seen},
+                      {"range_m", look.range_m},
+                      {"bearing_rad", look.bearing.inRadians()},
+                      {"position_m", {look.position_m.x(), look.position_m.y()}},
+                      {"velocity_mps", {look.velocity_mps.x(), look.velocity_mps.y()}},
+                      {"covariance_m2", {c(0, 0), c(0, 1), c(1, 1)}}};
+    if (look.no_echo != NoEcho::None) text["cause"] = toText(look.no_echo);
+    return text.dump();
 }
 
 std::string regionText(const Region& region) {

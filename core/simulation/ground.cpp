@@ -12,7 +12,8 @@ namespace {
 
 enum Purpose : std::uint64_t { texture_numbers = 10, rock_numbers = 11 };
 
-constexpr double rock_size_m = 4.0;  // between the knots of the noise that rock rises from
+constexpr std::int64_t remembered_side = 256;  // cells to a side of the remembered square; a power of 2
+constexpr double rock_size_m = 4.0;            // between the knots of the noise that rock rises from
 
 /// Both numbers of a cell in one; unique within 16 km.
 std::uint64_t indexOf(std::int64_t north, std::int64_t east) {
@@ -77,14 +78,25 @@ double groundStrength(const Scenario& scenario, std::uint64_t seed, std::int64_t
     return strength;
 }
 
-GroundAlongBeam::GroundAlongBeam(const Scenario& scenario, std::uint64_t seed, const Pose& pose, Bearing direction,
-                                 double height_m, const acoustics::Lobe& lobe)
+GroundMemory::GroundMemory(const Scenario& scenario, std::uint64_t seed)
     : scenario_(scenario),
       seed_(seed),
-      pose_(pose),
-      height_m_(height_m),
       even_(scenario.bottom_texture == 0.0 && scenario.rock_share == 0.0),
-      rock_above_(gaussianAbove(scenario.rock_share)) {
+      rock_above_(gaussianAbove(scenario.rock_share)),
+      entries_(even_ ? 0 : static_cast<std::size_t>(remembered_side * remembered_side)) {}
+
+double GroundMemory::strengthAt(std::int64_t cell_north, std::int64_t cell_east) {
+    // Cells about one place of the world have places of their own: the square repeats beyond it.
+    constexpr std::int64_t mask = remembered_side - 1;
+    Entry& entry = entries_[static_cast<std::size_t>((cell_north & mask) * remembered_side + (cell_east & mask))];
+    if (entry.strength < 0.0 || entry.cell_north != cell_north || entry.cell_east != cell_east)
+        entry = {cell_north, cell_east, groundStrength(scenario_, seed_, cell_north, cell_east, rock_above_)};
+    return entry.strength;
+}
+
+GroundAlongBeam::GroundAlongBeam(GroundMemory& ground, const Pose& pose, Bearing direction, double height_m,
+                                 const acoustics::Lobe& lobe)
+    : ground_(ground), pose_(pose), height_m_(height_m) {
     for (std::size_t i = 0; i < strands_.size(); ++i) {
         const double off_rad = (static_cast<double>(i) - 1.0) * lobe.integralWidth() / 3.0;
         strands_[i].north = std::cos(direction.inRadians() + off_rad);
@@ -93,7 +105,7 @@ GroundAlongBeam::GroundAlongBeam(const Scenario& scenario, std::uint64_t seed, c
 }
 
 double GroundAlongBeam::at(double range_m) {
-    if (even_ || range_m < height_m_) return 1.0;
+    if (ground_.isEven() || range_m < height_m_) return 1.0;
     const double out_m = std::sqrt(range_m * range_m - height_m_ * height_m_);
     double sum = 0.0;
     for (Strand& strand : strands_) {
@@ -101,8 +113,7 @@ double GroundAlongBeam::at(double range_m) {
             static_cast<std::int64_t>(std::floor((pose_.north_m + out_m * strand.north) / ground_cell_m));
         const auto east = static_cast<std::int64_t>(std::floor((pose_.east_m + out_m * strand.east) / ground_cell_m));
         if (strand.strength < 0.0 || north != strand.cell_north || east != strand.cell_east)
-            strand = {strand.north, strand.east, north, east,
-                      groundStrength(scenario_, seed_, north, east, rock_above_)};
+            strand = {strand.north, strand.east, north, east, ground_.strengthAt(north, east)};
         sum += strand.strength;
     }
     return sum / static_cast<double>(strands_.size());

@@ -141,6 +141,11 @@ Shadow shadowOf(const Meeting& met, double size_m, double low_m, double high_m, 
 }  // namespace
 
 ObjectEchoes objectEchoes(const Scenario& scenario, std::uint64_t seed, const HeadSetup& head, double time_s) {
+    return objectEchoes(scenario, allDebris(scenario, seed), seed, head, time_s);
+}
+
+ObjectEchoes objectEchoes(const Scenario& scenario, const std::vector<Debris>& all_debris, std::uint64_t seed,
+                          const HeadSetup& head, double time_s) {
     ObjectEchoes all;
     const double height_m = altitudeAt(scenario, time_s);
     for (std::uint64_t object = 0; object < scenario.targets.size(); ++object) {
@@ -157,7 +162,7 @@ ObjectEchoes objectEchoes(const Scenario& scenario, std::uint64_t seed, const He
         if (scenario.shadows)
             all.shadows.push_back(shadowOf(met, target.size_m, middle_m - half_m, middle_m + half_m, height_m, head));
     }
-    for (const Debris& debris : allDebris(scenario, seed)) {
+    for (const Debris& debris : all_debris) {
         const Eigen::Vector2d place(debris.north_m, debris.east_m);
         const Meeting met = meet(scenario, time_s, head, height_m - debris.size_m / 2.0, [&](double) { return place; });
         all.echoes.push_back({met.range_m, range_smear * debris.size_m, met.power * powerOf(debris.strength_db)});

@@ -30,6 +30,9 @@ struct ObjectEchoes {
 /// What targets, their ghosts and wakes, and debris give to a transmission at `time_s` ≥ 0. Ranges are those of the
 /// moment of the echo; the lobe turns with the vehicle between transmission and reception.
 ObjectEchoes objectEchoes(const Scenario& scenario, std::uint64_t seed, const HeadSetup& head, double time_s);
+/// The same with allDebris() at hand.
+ObjectEchoes objectEchoes(const Scenario& scenario, const std::vector<Debris>& debris, std::uint64_t seed,
+                          const HeadSetup& head, double time_s);
 
 /// Whether the two-way lobe, between its points of half power of one way, is on a target.
 bool beamIsOn(const Scenario& scenario, const SimulatedTarget& target, const HeadSetup& head, double time_s);

@@ -49,7 +49,7 @@ TruthSample sampleTruth(const Scenario& scenario, std::uint64_t ping, std::size_
 }  // namespace
 
 SimulatedSource::SimulatedSource(Scenario scenario, std::uint64_t seed)
-    : scenario_(std::move(scenario)), seed_(seed), info_(describe(scenario_)) {
+    : scenario_(std::move(scenario)), seed_(seed), info_(describe(scenario_)), model_(scenario_, seed) {
     const double last_echo_s = secondsBetween(info_.start, info_.end) + pingInterval(scenario_);
     const double interval_s = std::chrono::duration<double>(SimulatedNavigation::interval).count();
     SimulatedNavigation told(scenario_, seed_);
@@ -76,7 +76,7 @@ std::optional<Ping> SimulatedSource::nextCommanded() {
     if (look.number >= info_.pings) return std::nullopt;
     HeadSetup head = headSetup(scenario_, look.number);
     head.bearing = look.bearing;
-    Ping ping = simulatePing(scenario_, seed_, look.number, head, look.clockwise);
+    Ping ping = simulatePing(scenario_, model_, look.number, head, look.clockwise);
     ping.sequence = given_++;
     return ping;
 }
@@ -84,8 +84,8 @@ std::optional<Ping> SimulatedSource::nextCommanded() {
 std::optional<Ping> SimulatedSource::next() {
     if (scan_) return nextCommanded();
     if (next_ == info_.pings) return std::nullopt;
-    if (!keep_) return simulatePing(scenario_, seed_, next_++);
-    while (kept_.size() <= next_) kept_.push_back(simulatePing(scenario_, seed_, kept_.size()));
+    if (!keep_) return simulatePing(scenario_, model_, next_++);
+    while (kept_.size() <= next_) kept_.push_back(simulatePing(scenario_, model_, kept_.size()));
     return kept_[next_++];
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/result.hpp"
 #include "core/data/source.hpp"
 #include "core/simulation/commanded_scan.hpp"
+#include "core/simulation/echo_model.hpp"
 #include "core/simulation/scenario.hpp"
 
 #include <cstdint>
@@ -56,11 +57,12 @@ private:
     std::uint64_t seed_;
     std::uint64_t next_ = 0;
     bool keep_ = false;
-    std::vector<Ping> kept_;  ///< the first ones
+    std::vector<Ping> kept_;             ///< the first ones
     std::optional<CommandedScan> scan_;  ///< of a head that has been commanded
     std::uint64_t given_ = 0;            ///< by that one
     SourceInfo info_;
     PoseHistory navigation_;
+    EchoModel model_;
 };
 
 /// A built-in scenario by its name; "demo" is the demonstration. The error names them all.

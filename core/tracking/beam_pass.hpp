@@ -30,6 +30,8 @@ struct BeamMoment {
     bool turned_round = false;      ///< the beam's movement broke off before this ping: turned, flew back, or a gap
     bool sweep_ended = false;       ///< a sweep was finished before this ping
     bool navigation_known = false;  ///< poses are measured, not assumed
+    bool navigation_gap = false;    ///< … but not at this ping
+    bool pings_missing = false;     ///< there should have been some before this one
     /// Where the head follows the target: what is outside is not looked at, and its being unseen says nothing.
     std::optional<WatchedSector> watched;
 };

@@ -38,13 +38,14 @@ void Tracker::processAsPublished(FollowedTrack& followed, const std::vector<std:
                                  std::vector<TrackLook>& looks) {
     std::vector<ScoredArea> areas;
     std::vector<std::size_t> numbers;
+    std::vector<Pairing> pairings;
     for (const std::size_t j : regions) {
         const Region& region = pending_[j].region;
         const Pairing pairing = pairAsPublished(followed, region);
         if (!pairing.gated || region.time <= followed.track.estimate.time) continue;
         areas.push_back({region.outline_m, pairing.likeness});
         numbers.push_back(j);
-        pending_[j].claimed = true;
+        pairings.push_back(pairing);
     }
     const Timestamp nearest = std::max(followed.pass.nearestTime(), followed.track.estimate.time);
     const GaussianState prior = predict(followed, nearest);
@@ -57,9 +58,12 @@ void Tracker::processAsPublished(FollowedTrack& followed, const std::vector<std:
         region = &pending_[numbers[static_cast<std::size_t>(best)]].region;
         update.posterior.state.time = region->time;
     }
+    const NoEcho cause = region ? NoEcho::None : whyNoEcho(followed, nearest, numbers, pairings);
+    for (const std::size_t j : numbers) pending_[j].claimed = true;
     update.posterior.evidence = 1.0;  // the published method does not doubt that there is a target
     const Pairing pairing = region ? pairAsPublished(followed, *region) : Pairing{};
-    concludePass(followed, update.posterior, region ? region->time : nearest, region, pairing, !areas.empty(), looks);
+    concludePass(followed, update.posterior, region ? region->time : nearest, region, pairing, !areas.empty(), cause,
+                 looks);
 }
 
 GaussianParticleFilter::Posterior Tracker::updateByPlace(const GaussianState& prior, double miss_weight,

@@ -32,7 +32,8 @@ nlohmann::ordered_json trackLine(const TrackLook& look, Timestamp first_ping) {
             {"covariance_m2",
              {rounded(c(0, 0), covariance_digits), rounded(c(0, 1), covariance_digits),
               rounded(c(1, 1), covariance_digits)}},
-            {"seen", look.seen}};
+            {"seen", look.seen},
+            {"cause", toText(look.no_echo)}};
 }
 
 nlohmann::ordered_json reportLine(const TargetReport& report, Timestamp first_ping) {

@@ -21,12 +21,11 @@ constexpr double looked_at_coverage = 0.5;  // the expected place itself was pas
 constexpr std::size_t longest_history = 64;
 constexpr MultipathRule copy{.farthest_m = 4.0, .weaker_db = 3.0};
 constexpr double arc_widths = 2.5, arc_elongation = 2.5;
-constexpr double side_lobe_widths = 1.5;    // of the beam, beside the object: nearer is the main lobe
+constexpr double side_lobe_widths = 1.5;     // of the beam, beside the object: nearer is the main lobe
 constexpr double vaguest_side_lobe_m = 1.0;  // where the object is known less well, no more is put down to it
 constexpr double sure_association = 0.9, least_likeness_to_learn = 0.1;
 constexpr double real_claim = 0.2;    // of the strongest claim to a region: less is no competition
 constexpr double one_place = 9.0;     // squared normalised distance
-constexpr double merged_area = 1.5;   // of what is expected: a region this large may hold more than one echo
 constexpr double merged_share = 0.3;  // of what is beyond the expected extent: how well the whole places one of them
 
 bool areOnePlace(const Cue& a, const Cue& b) {
@@ -58,8 +57,8 @@ Eigen::Matrix2d Tracker::measurementCovariance(const Region& region, const Regio
     const double heading = radiansFromDegrees(params_.tracking.heading_sigma_deg);
     const double along_sigma =
         sigma(params_.tracking.range_sigma_m, region.features.along_range_m, expected.along_range_m);
-    const double across_sigma = sigma(std::hypot(params_.tracking.range_sigma_m, range * heading), region.features.across_range_m,
-              expected.across_range_m);
+    const double across_sigma = sigma(std::hypot(params_.tracking.range_sigma_m, range * heading),
+                                      region.features.across_range_m, expected.across_range_m);
     return along_sigma * along_sigma * along * along.transpose() +
            across_sigma * across_sigma * across * across.transpose();
 }
@@ -112,13 +111,12 @@ bool Tracker::isSideLobe(const Region& region) const {
     const RegionFeatures& seen = region.features;
     return std::any_of(followed_.begin(), followed_.end(), [&](const FollowedTrack& followed) {
         const RegionFeatures& strong = followed.track.expected_features;
-        if (followed.track.state == TrackState::Lost ||
-            strong.level_db - seen.level_db < params_.tracking.side_lobe_db)
+        if (followed.track.state == TrackState::Lost || strong.level_db - seen.level_db < params_.tracking.side_lobe_db)
             return false;
         const ExpectedPlace place = expectedPlace(predict(followed, region.time), region.head);
         const double aside = std::abs((region.bearing + region.head.heading.inRadians()) - place.azimuth);
-        const double reach_m = (strong.along_range_m + seen.along_range_m) / 2.0 +
-                               std::min(place.along_sigma_m, vaguest_side_lobe_m);
+        const double reach_m =
+            (strong.along_range_m + seen.along_range_m) / 2.0 + std::min(place.along_sigma_m, vaguest_side_lobe_m);
         return std::abs(region.range_m - place.range_m) < reach_m && aside > side_lobe_widths * beam_.beam_width_rad;
     });
 }
@@ -319,11 +317,13 @@ void Tracker::completePass(FollowedTrack& followed, const std::vector<std::size_
     const Region* region = echo && !posterior.missed ? &pending_[regions[best]].region : nullptr;
     Pairing taken = region ? pairings[best] : Pairing{};
     if (region) taken.probability = joint[best];
-    concludePass(followed, posterior, time, region, taken, !cues.empty(), looks);
+    const NoEcho cause = region ? NoEcho::None : whyNoEcho(followed, time, regions, pairings);
+    concludePass(followed, posterior, time, region, taken, !cues.empty(), cause, looks);
 }
 
 void Tracker::concludePass(FollowedTrack& followed, const GaussianParticleFilter::Posterior& posterior, Timestamp time,
-                           const Region* region, const Pairing& pairing, bool had_cues, std::vector<TrackLook>& looks) {
+                           const Region* region, const Pairing& pairing, bool had_cues, NoEcho cause,
+                           std::vector<TrackLook>& looks) {
     const bool seen = region != nullptr;
     const double coverage = followed.pass.coverage();
     const LookResult result = seen                             ? LookResult::Seen
@@ -343,11 +343,12 @@ void Tracker::concludePass(FollowedTrack& followed, const GaussianParticleFilter
     const bool still_lost = was_lost && followed.track.state == TrackState::Lost;
     if (result != LookResult::NotLookedAt && !still_lost) {
         const Pose& head = seen ? region->head : followed.pass.nearestHead();
-        looks.push_back(lookOf(followed, time, seen, head));
+        looks.push_back(lookOf(followed, time, cause, head));
         auto& history = followed.track.history;
         if (history.size() == longest_history) history.erase(history.begin());
         history.push_back(looks.back());
     }
+    if (result != LookResult::NotLookedAt) followed.navigation_gap = followed.pings_missing = false;
     followed.pass.restart();
 }
 
@@ -381,7 +382,7 @@ void Tracker::searchAgain(FollowedTrack& followed, LookResult result, Timestamp 
     reacquire(followed.track, time);
 }
 
-TrackLook Tracker::lookOf(const FollowedTrack& followed, Timestamp time, bool seen, const Pose& head) const {
+TrackLook Tracker::lookOf(const FollowedTrack& followed, Timestamp time, NoEcho cause, const Pose& head) const {
     const Track& track = followed.track;
     const Eigen::Vector2d position = track.estimate.mean.head<2>();
     const double north = position.x() - head.north_m, east = position.y() - head.east_m;
@@ -389,7 +390,8 @@ TrackLook Tracker::lookOf(const FollowedTrack& followed, Timestamp time, bool se
             .track = track.id,
             .state = track.state,
             .target = track.target,
-            .seen = seen,
+            .seen = cause == NoEcho::None,
+            .no_echo = cause,
             .range_m = std::hypot(north, east),
             .bearing = Bearing::radians(std::atan2(east, north) - head.heading.inRadians()),
             .position_m = position,

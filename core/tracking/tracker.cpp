@@ -44,6 +44,8 @@ void Tracker::update(const BeamMoment& beam, const std::vector<Region>& regions,
     scanned_turn_rad_ += beam.step_rad;
     scanned_area_m2_ += beam.step_rad * beam.far_m * beam.far_m / 2.0;
     for (FollowedTrack& followed : followed_) {
+        followed.navigation_gap |= beam.navigation_gap;
+        followed.pings_missing |= beam.pings_missing;
         const ExpectedPlace place = expectedPlace(predict(followed, beam.time), beam.head);
         const double half_width = halfWidth(place);
         waitUnwatched(followed, place, passed_s);
@@ -79,7 +81,7 @@ void Tracker::giveUpUnseen(std::vector<TrackLook>& looks) {
         track.state = TrackState::Lost;
         track.estimate = predict(followed, beam_.time);
         widenSearch(track, params_.life);  // which also bounds it
-        looks.push_back(lookOf(followed, beam_.time, false, beam_.head));
+        looks.push_back(lookOf(followed, beam_.time, whyNotScanned(followed), beam_.head));
     }
 }
 
@@ -270,7 +272,7 @@ void Tracker::bear(const Region& region, std::vector<TrackLook>& looks) {
     track.expected_features = expectedFeatures(born, region.range_m);
     followed_.push_back(std::move(born));
     applyDesignation();
-    looks.push_back(lookOf(followed_.back(), region.time, true, region.head));
+    looks.push_back(lookOf(followed_.back(), region.time, NoEcho::None, region.head));
     followed_.back().track.history.push_back(looks.back());
 }
 

@@ -93,6 +93,8 @@ struct FollowedTrack {
     double unwatched_s = 0.0;       ///< of the time since the last echo: the head looked only elsewhere
     int shadowed_sweeps = 0;        ///< running, in which an older track was as good as here
     bool dropped = false;           ///< followed on, but nobody is told of it
+    bool navigation_gap = false;    ///< since the last look
+    bool pings_missing = false;
 };
 
 /// Follows several objects at once, one of them the operator's target.
@@ -125,8 +127,8 @@ public:
     void interestsAt(const BeamMoment& beam, std::vector<RangeOfInterest>& interests) const;
 
     /// The operator points at a place in the local frame: at a track that is proven, at the target that was lost, or at
-    /// the first region or track within `radius_m`, waiting as long as needed. Until that is proven, too, a stronger one
-    /// nearby takes its turn.
+    /// the first region or track within `radius_m`, waiting as long as needed. Until that is proven, too, a stronger
+    /// one nearby takes its turn.
     void designate(const Eigen::Vector2d& position_m, double radius_m);
     void clearDesignation();
     /// The operator does not want to see this track any more. It keeps its echoes, so that no other begins on them, but
@@ -201,11 +203,16 @@ private:
                                                     const std::vector<Cue>& cues) const;
     /// What came of a pass, into the track and its looks. `region` is the echo that was taken, if any.
     void concludePass(FollowedTrack& followed, const GaussianParticleFilter::Posterior& posterior, Timestamp time,
-                      const Region* region, const Pairing& pairing, bool had_cues, std::vector<TrackLook>& looks);
+                      const Region* region, const Pairing& pairing, bool had_cues, NoEcho cause,
+                      std::vector<TrackLook>& looks);
+    /// Why a pass found no echo of a track among `regions`, which it was paired with.
+    NoEcho whyNoEcho(const FollowedTrack& followed, Timestamp time, const std::vector<std::size_t>& regions,
+                     const std::vector<Pairing>& pairings) const;
+    NoEcho whyNotScanned(const FollowedTrack& followed) const;
     RegionFeatures expectedFeatures(const FollowedTrack& followed, double range_m) const;
     void takeEcho(FollowedTrack& followed, const Region& region, const Pairing& pairing);
     void searchAgain(FollowedTrack& followed, LookResult result, Timestamp time);
-    TrackLook lookOf(const FollowedTrack& followed, Timestamp time, bool seen, const Pose& head) const;
+    TrackLook lookOf(const FollowedTrack& followed, Timestamp time, NoEcho cause, const Pose& head) const;
 
     void decideBirths(std::vector<TrackLook>& looks);
     bool mayBeBorn(const Region& region) const;

@@ -59,6 +59,19 @@ TEST_F(Evaluate, EverySetOfParametersIsAColumnBesideTheDefault) {
     EXPECT_NE(page.find("<svg"), std::string::npos);
 }
 
+TEST_F(Evaluate, NamesJoinedByPlusLieOverOneAnotherAndMayNameTheScene) {
+    folder_.write("for-easy.toml", "seed_excess_db = 33\n");
+    const Outcome outcome = run({"evaluate", scene_, "--trials", "1", "--parameters",
+                                 "paper+ablations/area_only+" + folder_.path("for-{scene}.toml"), "--json", "-"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+    const auto column = nlohmann::json::parse(outcome.output)["columns"][1];
+    EXPECT_EQ(column["title"], "paper+area_only+for-{scene}.toml");
+    const std::string settings = column["settings"].dump();
+    for (const char* setting : {"likelihood = lookup", "area_share = 1", "seed_excess_db = 33 dB"})
+        EXPECT_NE(settings.find(setting), std::string::npos) << setting << " in " << settings;
+    EXPECT_EQ(run({"evaluate", scene_, "--parameters", "paper+nothing"}).exit_code, 2);
+}
+
 TEST_F(Evaluate, ARequirementThatIsNotMetIsExitCodeThree) {
     const Outcome met = run({"evaluate", scene_, "--trials", "1", "--require", "loss_percent=100"});
     EXPECT_EQ(met.exit_code, 0) << met.output << met.errors;

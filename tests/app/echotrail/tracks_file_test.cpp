@@ -37,7 +37,7 @@ std::vector<Json> trackLines() {
 TEST(TracksFile, EveryLineHasExactlyTheFixedFieldsAndFiniteNumbers) {
     ASSERT_GT(trackLines().size(), 20U);
     for (const Json& line : trackLines()) {
-        EXPECT_EQ(line.size(), 13U) << line;
+        EXPECT_EQ(line.size(), 14U) << line;
         EXPECT_EQ(line.at("time").get<std::string>().size(), std::string("2026-01-01T00:00:00.000000Z").size());
         for (const std::string& name : numbers) {
             ASSERT_TRUE(line.at(name).is_number()) << name << " in " << line;
@@ -48,6 +48,7 @@ TEST(TracksFile, EveryLineHasExactlyTheFixedFieldsAndFiniteNumbers) {
         EXPECT_TRUE(line.at("track").is_number_integer());
         EXPECT_TRUE(line.at("target").is_boolean());
         EXPECT_TRUE(line.at("seen").is_boolean());
+        EXPECT_EQ(line.at("cause").get<std::string>().empty(), line.at("seen").get<bool>()) << line;
         EXPECT_TRUE(std::set<std::string>({"tentative", "confirmed", "coasting", "lost"}).contains(line.at("state")));
     }
 }

@@ -29,6 +29,22 @@ TEST(RecentRegions, ExplainAWeakerOneALittleBehind) {
     EXPECT_FALSE(recent.explain(at(20, 5, 60), rule)) << "itself";
 }
 
+TEST(RecentRegions, SayWhetherAPlaceLayInAMass) {
+    Region mass = at(20, 0, 60);
+    mass.position_m = {20, 0};
+    mass.features.along_range_m = 4;
+    mass.features.across_range_m = 8;
+    RecentRegions recent;
+    recent.add({mass});
+    EXPECT_FALSE(recent.hasMassAt({20, 0}, mass.time)) << "no mass";
+    mass.clutter_mass = true;
+    recent.add({mass});
+    EXPECT_TRUE(recent.hasMassAt({21.5, 3.5}, mass.time));
+    EXPECT_FALSE(recent.hasMassAt({22.5, 0}, mass.time)) << "behind";
+    EXPECT_FALSE(recent.hasMassAt({20, 4.5}, mass.time)) << "beside";
+    EXPECT_FALSE(recent.hasMassAt({20, 0}, mass.time + Microseconds(3'000'000))) << "another passage of the beam";
+}
+
 TEST(RecentRegions, AMassExplainsNothingAndOldOnesAreForgotten) {
     RecentRegions recent;
     Region mass = at(20, 5, 60);

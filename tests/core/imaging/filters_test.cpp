@@ -1,5 +1,7 @@
 #include "core/imaging/filters.hpp"
 
+#include "tests/core/imaging/fan_fixture.hpp"
+
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
@@ -46,6 +48,26 @@ TEST(Gaussian, AnEmptyPictureIsLeftAlone) {
     cv::Mat empty;
     smoothGaussian(empty);
     EXPECT_TRUE(empty.empty());
+}
+
+TEST(MedianBackground, ForgetsWhatIsSmallAndKeepsWhatIsWide) {
+    FanImage fan = emptyTile(0, 0, 160, 200, 0.125);
+    fan.beam_time_ms.setTo(0);
+    fan.levels.setTo(40);
+    fan.levels(cv::Rect(120, 0, 80, 160)).setTo(90);  // a bank
+    fan.levels(cv::Rect(40, 60, 10, 10)).setTo(200);  // a target
+    const cv::Mat background = medianBackground(fan);
+    ASSERT_EQ(background.size(), fan.levels.size());
+    EXPECT_EQ(background.at<std::uint8_t>(65, 45), 40);
+    EXPECT_EQ(background.at<std::uint8_t>(80, 170), 90);
+}
+
+TEST(MedianBackground, UnscannedPixelsAreLikeTheRest) {
+    FanImage fan = emptyTile(0, 0, 100, 100, 0.125);
+    fan.beam_time_ms(cv::Rect(0, 0, 50, 100)).setTo(0);
+    fan.levels(cv::Rect(0, 0, 50, 100)).setTo(60);
+    EXPECT_EQ(cv::countNonZero(medianBackground(fan) != 60), 0);
+    EXPECT_TRUE(medianBackground({}).empty());
 }
 
 }  // namespace

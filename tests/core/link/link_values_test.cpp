@@ -42,6 +42,7 @@ void expectEqual(const TrackLook& a, const TrackLook& b) {
     EXPECT_EQ(a.state, b.state);
     EXPECT_EQ(a.target, b.target);
     EXPECT_EQ(a.seen, b.seen);
+    EXPECT_EQ(a.no_echo, b.no_echo);
     EXPECT_EQ(a.range_m, b.range_m);
     EXPECT_EQ(a.bearing, b.bearing);
     EXPECT_EQ(a.position_m, b.position_m);

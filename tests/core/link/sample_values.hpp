@@ -68,7 +68,8 @@ inline TrackLook sampleLook(int track = 2, double seconds = 3.0) {
     look.time = at(seconds);
     look.track = track;
     look.state = TrackState::Coasting;
-    look.target = look.seen = true;
+    look.target = true;
+    look.no_echo = NoEcho::TakenByAnother;
     look.range_m = 20.0;
     look.bearing = Bearing::degrees(10.0);
     look.position_m = {19.0, 3.0};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <thread>
@@ -78,6 +79,47 @@ TEST(ScanningSonarPipeline, FollowsAnApproachingTargetWhereItIs) {
         EXPECT_EQ(look.track, looks.front().track);
     }
     EXPECT_GE(confirmed, 6);
+}
+
+TEST(ScanningSonarPipeline, FollowsATargetInThePictureOfAWholeSweepToo) {
+    for (const DetectOn detect_on : {DetectOn::Sweep, DetectOn::EnhancedSweep}) {
+        ScanningSonarPipeline::Params params;
+        params.regions.picture.detect_on = detect_on;
+        ScanningSonarPipeline pipeline(params, 1);
+        const auto pings = scanOf(30, 5, -0.3, 600);
+        int confirmed = 0;
+        for (const Ping& ping : pings) {
+            const Update& update = pipeline.process(ping, {});
+            EXPECT_TRUE(update.regions.empty() || update.sweep_ended) << "regions come when a sweep is over";
+            EXPECT_TRUE(std::is_sorted(update.regions.begin(), update.regions.end(),
+                                       [](const Region& a, const Region& b) { return a.time < b.time; }));
+            for (const TrackLook& look : update.looks) {
+                if (look.state != TrackState::Confirmed) continue;
+                ++confirmed;
+                const double t = secondsBetween(Timestamp{}, look.time);
+                EXPECT_LE(look.time, pipeline.settledUntil() + Microseconds(6'000'000));
+                EXPECT_NEAR(look.position_m.x(), 30 - 0.3 * t, 0.5) << t;
+                EXPECT_NEAR(look.position_m.y(), 5, 0.8) << t;
+            }
+        }
+        EXPECT_GE(confirmed, 6);
+    }
+}
+
+TEST(ScanningSonarPipeline, WithoutMotionCorrectionASweepIsDrawnFromWhereItBegan) {
+    ScanningSonarPipeline::Params params;
+    params.tracker.method.motion_correction = false;
+    PoseHistory navigation;  // half a metre per second ahead
+    for (int i = 0; i < 700; ++i)
+        navigation.add({Timestamp(microsecondsFromSeconds(0.1 * i)), {0.05 * i, 0, Bearing::degrees(0)}});
+    ScanningSonarPipeline pipeline(params, 1);
+    std::set<double> places;
+    for (const Ping& ping : scanOf(30, 5, 0, 300)) {
+        const Update& update = pipeline.process(ping, navigation);
+        EXPECT_EQ(update.pose.north_m, update.later_pose.north_m);
+        places.insert(update.pose.north_m);
+    }
+    EXPECT_EQ(places.size(), 6U);  // sweeps of 50 pings
 }
 
 TEST(ScanningSonarPipeline, TargetNearTheTurnIsSeenOnTheWayOutAndOnTheWayBack) {

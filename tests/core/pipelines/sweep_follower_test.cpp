@@ -39,6 +39,15 @@ TEST(SweepFollower, MissingPingsBreakTheMovementButNotTheSweep) {
     EXPECT_EQ(events.ended, 0);
 }
 
+TEST(SweepFollower, SaysWherePingsComeLate) {
+    SweepFollower follower;
+    for (int i = 0; i < 5; ++i)
+        EXPECT_FALSE(
+            follower.follow(Bearing::degrees(1.8 * i), 0.03, Timestamp(Microseconds(100'000 * i))).pings_missing);
+    EXPECT_FALSE(follower.follow(Bearing::degrees(9.0), 0.03, Timestamp(Microseconds(600'000))).pings_missing);
+    EXPECT_TRUE(follower.follow(Bearing::degrees(10.8), 0.03, Timestamp(Microseconds(1'200'000))).pings_missing);
+}
+
 TEST(SweepFollower, FullCircleEndsASweepEachTurnWithoutABreakAcrossTheStern) {
     std::vector<double> bearings;
     for (int i = 0; i < 3 * 200 + 1; ++i) bearings.push_back(std::fmod(90 + 1.8 * i, 360.0));

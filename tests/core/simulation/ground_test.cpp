@@ -65,22 +65,38 @@ TEST(Ground, BelongsToTheWorldNotToTheBeam) {
     narrow.width_rad = 1e-6;
     // The place 20 m north of the origin, 5 m below, from two sides.
     const double slant_m = std::hypot(20.2, 5.0);
-    GroundAlongBeam north(scene, 1, {0, 0.2, {}}, {}, 5.0, narrow);
-    GroundAlongBeam south(scene, 1, {40.4, 0.2, {}}, Bearing::degrees(180), 5.0, narrow);
+    GroundMemory ground(scene, 1), same(scene, 1);
+    GroundAlongBeam north(ground, {0, 0.2, {}}, {}, 5.0, narrow);
+    GroundAlongBeam south(same, {40.4, 0.2, {}}, Bearing::degrees(180), 5.0, narrow);
     EXPECT_NEAR(north.at(slant_m), south.at(slant_m), 1e-12);
     EXPECT_NE(north.at(slant_m), north.at(slant_m + 2.0));
 }
 
+TEST(Ground, ItsMemoryHoldsWhatTheLawSaysHoweverFarApartTheCellsAre) {
+    Scenario scene;
+    scene.bottom_texture = 0.7;
+    scene.rock_share = 0.1;
+    const double rock_above = gaussianAbove(scene.rock_share);
+    GroundMemory ground(scene, 4);
+    for (int round = 0; round < 2; ++round)
+        for (const std::int64_t north : {-257, -1, 0, 255, 256, 5000})
+            for (const std::int64_t east : {-256, 0, 3, 259})
+                EXPECT_EQ(ground.strengthAt(north, east), groundStrength(scene, 4, north, east, rock_above));
+}
+
 TEST(Ground, IsEvenWhereNothingIsSaidOfIt) {
-    GroundAlongBeam even(Scenario{}, 1, {}, {}, 5.0, {});
+    const Scenario scene;
+    GroundMemory ground(scene, 1);
+    GroundAlongBeam even(ground, {}, {}, 5.0, {});
     EXPECT_EQ(even.at(20.0), 1.0);
 }
 
 TEST(Ground, ItsMeanAlongBeamsIsThatOfItsCells) {
     Scenario scene;
     scene.bottom_texture = 1.0;
+    GroundMemory ground(scene, 1);
     const Moments m = over(20'000, [&](int i) {
-        GroundAlongBeam beam(scene, static_cast<std::uint64_t>(i), {}, {}, 5.0, {});
+        GroundAlongBeam beam(ground, {100.0 * (i / 150), 100.0 * (i % 150), {}}, {}, 5.0, {});
         return beam.at(40.0);
     });
     EXPECT_NEAR(m.mean, 1.0, 0.03);

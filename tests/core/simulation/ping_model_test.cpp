@@ -1,5 +1,8 @@
 #include "core/simulation/ping_model.hpp"
 
+#include "core/simulation/echo_model.hpp"
+#include "core/simulation/simulated_source.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,6 +84,21 @@ TEST(PingModel, APingIsTheSameInWhateverOrderPingsAreMade) {
     const Ping alone = simulatePing(scene, 3, 26);
     for (std::uint64_t number = 0; number < 26; ++number) simulatePing(scene, 3, number);
     EXPECT_EQ(simulatePing(scene, 3, 26), alone);
+}
+
+TEST(PingModel, WhatAModelRemembersChangesNothing) {
+    for (const char* name : {"S1", "S2", "S3"}) {  // rock, debris with shadows, a bottom that rises and falls
+        const Scenario scene = *findScenario(name);
+        EchoModel model(scene, 3);
+        for (const std::uint64_t number : {500, 20, 21, 5000, 20})
+            EXPECT_EQ(simulatePing(scene, model, number), simulatePing(scene, 3, number)) << name << " " << number;
+        HeadSetup other;
+        other.range_m = 30.0;
+        other.bins = 500;
+        other.bin_interval_s = 2.0 * 30.0 / 1490.0 / 500;
+        EXPECT_EQ(model.echo(other, 7.0, 3), simulateEcho(scene, 3, other, 7.0, 3)) << name;
+        EXPECT_EQ(simulatePing(scene, model, 21), simulatePing(scene, 3, 21)) << name;
+    }
 }
 
 TEST(PingModel, TargetsEchoIsAtItsRangeAndBearing) {

@@ -3,9 +3,11 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace echotrail {
 namespace {
@@ -44,8 +46,10 @@ public:
             beam.point_length_m = 0.5;
             beam.turned_round = beam.sweep_ended = ping_ > first_ping_ && (phase == 1 || phase == per_sweep + 1);
             beam.navigation_known = true;
-            if (half_deg_ < half_sector_deg) beam.watched = WatchedSector{
-                    {}, radiansFromDegrees(half_deg_), radiansFromDegrees(2 * half_sector_deg)};
+            if (half_deg_ < half_sector_deg)
+                beam.watched =
+                    WatchedSector{{}, radiansFromDegrees(half_deg_), radiansFromDegrees(2 * half_sector_deg)};
+            if (disturbed_) beam.*std::exchange(disturbed_, nullptr) = true;
 
             std::vector<Region> due;
             std::swap(due, later_);
@@ -81,6 +85,8 @@ public:
         return found;
     }
     const Object& object(std::size_t i) const { return objects_[i]; }
+    /// What is wrong with the next ping.
+    void disturb(bool BeamMoment::*what) { disturbed_ = what; }
 
 private:
     Region regionAt(const Eigen::Vector2d& place, const Object& object, double t) {
@@ -108,6 +114,7 @@ private:
     std::vector<Region> later_, next_;
     int ping_ = 0, first_ping_ = 0;  ///< the first one of the sector that is scanned
     double half_deg_ = half_sector_deg;
+    bool BeamMoment::*disturbed_ = nullptr;
     std::uint32_t id_ = 0;
 };
 
@@ -139,6 +146,35 @@ TEST(Tracker, EachPassGivesOneLookAndAMissIsSaidToBeUnseen) {
     }
     EXPECT_GE(unseen, 3);
     EXPECT_EQ(scene.looks.back().state, TrackState::Coasting);
+}
+
+TEST(Tracker, ALookWithoutAnEchoSaysWhy) {
+    // Hidden from 30 s on: nothing stands out where the beam passes.
+    Scene hidden({{{20, 0}, {0, 0}, 0.6, 0, 30, 1e9}});
+    hidden.run(48);
+    for (const TrackLook& look : hidden.looks)
+        EXPECT_EQ(look.no_echo, look.seen ? NoEcho::None : NoEcho::UnderThreshold) << secondsOf(look);
+    // The same when pings or poses are missing at 32 s: the first look afterwards says so.
+    for (const auto& [missing, cause] : {std::pair(&BeamMoment::pings_missing, NoEcho::PingsMissing),
+                                         std::pair(&BeamMoment::navigation_gap, NoEcho::NavigationGap)}) {
+        Scene scene({{{20, 0}, {0, 0}, 0.6, 0, 30, 1e9}});
+        scene.run(32);
+        scene.disturb(missing);
+        scene.run(44);
+        std::vector<NoEcho> causes;
+        for (const TrackLook& look : scene.looks)
+            if (!look.seen) causes.push_back(look.no_echo);
+        ASSERT_GE(causes.size(), 2U);
+        EXPECT_EQ(std::count(causes.begin(), causes.end(), cause), 1);
+        EXPECT_EQ(causes.back(), NoEcho::UnderThreshold);
+    }
+}
+
+TEST(Tracker, WhatTheSectorLeavesBehindIsLostForThat) {
+    Scene scene({{{20, 14}, {0, 0.3}}});
+    scene.run(90);
+    ASSERT_EQ(scene.looks.back().state, TrackState::Lost);
+    EXPECT_EQ(scene.looks.back().no_echo, NoEcho::OutsideSector);
 }
 
 TEST(Tracker, LostTargetIsFoundAgainUnderItsOldId) {

@@ -40,7 +40,9 @@ TEST(EnhancementTuning, MakesTheObjectiveGreaterThanTheStartDoes) {
         EXPECT_EQ(tuned.evaluations, 600);
         EXPECT_GT(tuned.value, 0.0);
         EXPECT_GE(tuned.params.enhance_b, objective == EnhancementObjective::Guarded ? 0.05 : 0.01);
-        if (objective == EnhancementObjective::Published) EXPECT_GT(tuned.value, 2 * tuned.plain_value);
+        if (objective == EnhancementObjective::Published) {
+            EXPECT_GT(tuned.value, 2 * tuned.plain_value);
+        }
         int asked = 0;
         const auto start = tuneEnhancement(one, objective, 1, {}, [&] { return ++asked > 1; });
         EXPECT_EQ(start.evaluations, 20);
