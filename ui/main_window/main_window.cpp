@@ -140,6 +140,7 @@ void MainWindow::makeDocks() {
         fan_->setTrackNames(names);
         plan_->setTrackNames(names);
         alerts_->setTrackNames(names);
+        status_->setTrackNames(names);
         if (bridge_.scene()) onScene(bridge_.scene());
     });
     for (const auto happening : {&PipelineBridge::opened, &PipelineBridge::closed})
