@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QImage>
 #include <QProcess>
+#include <QSettings>
 #include <QTemporaryDir>
 
 namespace echotrail {
@@ -14,9 +15,10 @@ struct Outcome {
     QString errors;
 };
 
-Outcome run(const QStringList& arguments, bool with_platform = true) {
+Outcome run(const QStringList& arguments, bool with_platform = true, const QString& settings = {}) {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    if (!settings.isEmpty()) environment.insert("XDG_CONFIG_HOME", settings);
     for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) environment.remove(name);
     if (with_platform) environment.insert("QT_QPA_PLATFORM", "offscreen");
     process.setProcessEnvironment(environment);
@@ -96,6 +98,22 @@ TEST_F(ConsoleProgram, EndsHeadlessAfterThePicturesOrWhenInterrupted) {
 }
 
 TEST_F(ConsoleProgram, ClosesWhenToldTo) { EXPECT_EQ(run({"--demonstration", "--quit-after", "0.3"}).exit_code, 0); }
+
+TEST_F(ConsoleProgram, TheWindowComesBackAsLargeAsItWasLeft) {
+    const auto geometry = [&] {
+        return QSettings(folder_.filePath("echotrail/console.ini"), QSettings::IniFormat).value("geometry");
+    };
+    const auto open = [&](const QStringList& size) {
+        EXPECT_EQ(run(QStringList{"--quit-after", "0.3"} + size, true, folder_.path()).exit_code, 0);
+    };
+    open({"--width", "1350", "--height", "850"});
+    const QVariant left = geometry();
+    EXPECT_TRUE(left.isValid());
+    open({});
+    EXPECT_EQ(geometry(), left);
+    open({"--width", "1400"});
+    EXPECT_NE(geometry(), left);
+}
 
 TEST_F(ConsoleProgram, WrongUsageIsExitCodeTwoWithOneLine) {
     const QList<QStringList> wrong{{"--set", "sound_speeed=1500"},
