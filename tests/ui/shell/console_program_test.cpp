@@ -5,6 +5,7 @@
 #include <QProcess>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QWidget>
 
 namespace echotrail {
 namespace {
@@ -100,19 +101,16 @@ TEST_F(ConsoleProgram, EndsHeadlessAfterThePicturesOrWhenInterrupted) {
 TEST_F(ConsoleProgram, ClosesWhenToldTo) { EXPECT_EQ(run({"--demonstration", "--quit-after", "0.3"}).exit_code, 0); }
 
 TEST_F(ConsoleProgram, TheWindowComesBackAsLargeAsItWasLeft) {
-    const auto geometry = [&] {
-        return QSettings(folder_.filePath("echotrail/console.ini"), QSettings::IniFormat).value("geometry");
-    };
     const auto open = [&](const QStringList& size) {
         EXPECT_EQ(run(QStringList{"--quit-after", "0.3"} + size, true, folder_.path()).exit_code, 0);
+        const QSettings settings(folder_.filePath("echotrail/console.ini"), QSettings::IniFormat);
+        QWidget window;
+        EXPECT_TRUE(window.restoreGeometry(settings.value("geometry").toByteArray()));
+        return window.size();
     };
-    open({"--width", "1350", "--height", "850"});
-    const QVariant left = geometry();
-    EXPECT_TRUE(left.isValid());
-    open({});
-    EXPECT_EQ(geometry(), left);
-    open({"--width", "1400"});
-    EXPECT_NE(geometry(), left);
+    EXPECT_EQ(open({"--width", "1350", "--height", "850"}), QSize(1350, 850));
+    EXPECT_EQ(open({}), QSize(1350, 850));
+    EXPECT_EQ(open({"--width", "1400"}), QSize(1400, 850));
 }
 
 TEST_F(ConsoleProgram, WrongUsageIsExitCodeTwoWithOneLine) {
