@@ -98,8 +98,10 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
         ->check(CLI::IsMember({"day", "dusk", "night"}));
     app.add_option("--language", options.language, "en or zh (default: as last time, or the computer's)")
         ->check(CLI::IsMember({"en", "zh"}));
-    app.add_option("--width", options.width, "Width of the window, px (default 1600)")->check(CLI::Range(640, 7680));
-    app.add_option("--height", options.height, "Height of the window, px (default 1000)")->check(CLI::Range(480, 4320));
+    app.add_option("--width", options.width, "Width of the window, px (default: as last time, or 1600)")
+        ->check(CLI::Range(640, 7680));
+    app.add_option("--height", options.height, "Height of the window, px (default: as last time, or 1000)")
+        ->check(CLI::Range(480, 4320));
     app.add_option("--parameters", files, "TOML file of parameters; may be given more than once");
     app.add_option("--set", assignments, "NAME=VALUE of one parameter; may be given more than once");
     app.add_option("--seed", options.seed, "Seed of the random numbers (default 0)");

@@ -24,8 +24,7 @@ struct ConsoleOptions {
     std::optional<std::pair<double, double>> target;  ///< range in metres and bearing from the bow in degrees
     std::string palette;                              ///< empty: as last time
     std::string language;                             ///< the same
-    int width = 1600;
-    int height = 1000;
+    std::optional<int> width, height;                 ///< of the window, px; none: as last time
     ScanningSonarPipeline::Params params;
     bool params_given = false;  ///< they count over those in a recording
     std::uint64_t seed = 0;

@@ -64,7 +64,8 @@ int main(int argc, char** argv) {
     window.bridge().setSeed(options.seed);
     window.setParams(options.params);
     window.bridge().setOverridesRecorded(options.params_given);
-    window.resize(options.width, options.height);
+    if (options.width || options.height)
+        window.resize(options.width.value_or(window.width()), options.height.value_or(window.height()));
     window.show();
     catchInterrupts();
     if (options.target) designateFirst(window.bridge(), *options.target);

@@ -7,6 +7,8 @@
 #include <QApplication>
 #include <QImage>
 
+// What it takes to paint the fan in software, all threads counted.
+
 namespace echotrail {
 namespace {
 
@@ -14,15 +16,18 @@ constexpr QSize view_px(1400, 1000);
 constexpr int tracks = 10;
 constexpr int particles = 5000;
 constexpr int regions = 30;
+constexpr double cloud_m = 2.0;  ///< deviation of the particles
+constexpr int scene_count = 8;
+constexpr double between_scenes_s = 0.1;
 
 /// What a busy sea comes to: ten tracks with 5 000 particles between them and 30 regions on a fan of echoes.
-Scene busyScene() {
+Scene busyScene(double after_s) {
     Scene scene = test::bareScene();
     cv::RNG noise(1);
     noise.fill(scene.fan.levels, cv::RNG::UNIFORM, 20, 200);
-    const auto place = [](int i, int of) {
+    const auto place = [after_s](int i, int of) {
         const double angle = radiansFromDegrees(-40.0 + 80.0 * i / (of - 1));
-        const double range = 6.0 + 12.0 * (i * 7 % of) / of;
+        const double range = 6.0 + 12.0 * (i * 7 % of) / of + 0.3 * after_s;
         return std::pair(range * std::cos(angle), range * std::sin(angle));
     };
     constexpr std::array states{TrackState::Confirmed, TrackState::Coasting, TrackState::Tentative, TrackState::Lost};
@@ -30,37 +35,52 @@ Scene busyScene() {
         const auto [north, east] = place(i, tracks);
         scene.tracks.push_back(
             test::sampleTrack(i + 1, states[static_cast<std::size_t>(i) % states.size()], north, east));
-        scene.tracks.back().particles.position_m.resize(particles / tracks);
-        scene.tracks.back().particles.weight.resize(particles / tracks);
+        ParticleCloud& cloud = scene.tracks.back().particles;
+        cloud.position_m.resize(particles / tracks);
+        cloud.weight.resize(particles / tracks);
+        for (std::size_t k = 0; k < cloud.position_m.size(); ++k) {
+            cloud.position_m[k] = {static_cast<float>(north + noise.gaussian(cloud_m)),
+                                   static_cast<float>(east + noise.gaussian(cloud_m))};
+            cloud.weight[k] = noise.uniform(0.1F, 1.0F);
+        }
     }
     scene.tracks[0].target = true;
     for (int i = 0; i < regions; ++i) {
         const auto [north, east] = place(i, regions);
         scene.regions.push_back(test::sampleRegion(static_cast<std::uint32_t>(i + 1), north, east, i % 5 == 0));
     }
+    scene.latest.time += microsecondsFromSeconds(after_s);
     return scene;
 }
 
-void paintFan(benchmark::State& state, const Scene& scene, bool new_echoes) {
+void paintFan(benchmark::State& state, const std::vector<std::shared_ptr<const Scene>>& scenes) {
     applyTheme(*qApp, Theme::Dusk);
     FanView view;
     view.resize(view_px);
-    const auto shared = test::shared(scene);
-    view.setScene(shared);
+    view.setScene(scenes.front());
     QImage frame(view_px, QImage::Format_RGB32);
     view.render(&frame);  // what is kept from frame to frame
+    std::size_t next = 0;
     for (auto each : state) {
-        if (new_echoes) view.setScene(shared);
+        if (scenes.size() > 1) view.setScene(scenes[++next % scenes.size()]);
         view.render(&frame);
     }
 }
 
-void BM_EmptyFanFrame(benchmark::State& state) { paintFan(state, test::bareScene(), false); }
-void BM_BusyFanFrame(benchmark::State& state) { paintFan(state, busyScene(), false); }
-void BM_BusyFanFrameWithNewEchoes(benchmark::State& state) { paintFan(state, busyScene(), true); }
-BENCHMARK(BM_EmptyFanFrame)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_BusyFanFrame)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_BusyFanFrameWithNewEchoes)->Unit(benchmark::kMillisecond);
+/// Nothing but echoes.
+void BM_EmptyFanFrame(benchmark::State& state) { paintFan(state, {test::shared(test::bareScene())}); }
+/// All of the tracker's findings are painted, the picture of the echoes is kept: the hand moves the cursor, or the
+/// picture of a sweep stands still.
+void BM_BusyFanFrame(benchmark::State& state) { paintFan(state, {test::shared(busyScene(0.0))}); }
+/// Another scene each time: the picture of the echoes, too, and all texts that tell an age are made anew.
+void BM_BusyFanFrameOfANewScene(benchmark::State& state) {
+    std::vector<std::shared_ptr<const Scene>> scenes;
+    for (int i = 0; i < scene_count; ++i) scenes.push_back(test::shared(busyScene(between_scenes_s * i)));
+    paintFan(state, scenes);
+}
+BENCHMARK(BM_EmptyFanFrame)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(BM_BusyFanFrame)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(BM_BusyFanFrameOfANewScene)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 }  // namespace
 }  // namespace echotrail

@@ -15,9 +15,10 @@ struct Situation {
     QString key;  ///< one alert for each
     AlertPriority priority = AlertPriority::Caution;
     QString title;
-    QString cause;         ///< what is known of it, or what to do; may change while it lasts
-    double delay_s = 0.0;  ///< it is told when it has lasted this long, and over when it has been gone this long
-    int track = 0;         ///< that it speaks of; 0: none
+    QString cause;            ///< what is known of it, or what to do; may change while it lasts
+    double delay_s = 0.0;     ///< it is told when it has lasted this long, and over when it has been gone this long
+    int track = 0;            ///< that it speaks of; 0: none
+    QString guard_zone = {};  ///< that the track has entered; empty: it is another situation
 };
 
 /// A situation that was told, and what became of it.

@@ -105,6 +105,11 @@ void AlertBook::acknowledge(int id, Timestamp now) {
     arrange();
 }
 
+void AlertBook::reword(const std::function<Situation(const Situation&)>& word) {
+    for (Alert& alert : alerts_)
+        if (alert.passing) alert.situation = word(alert.situation);
+}
+
 void AlertBook::clear() {
     alerts_.clear();
     coming_.clear();

@@ -1,6 +1,7 @@
 #include "ui/alerts/alert_centre.hpp"
 
 #include "ui/alerts/alert_rules.hpp"
+#include "ui/language/language.hpp"
 
 #include <QApplication>
 #include <algorithm>
@@ -22,6 +23,12 @@ AlertCentre::AlertCentre(QObject* parent) : QObject(parent), sound_([] { QApplic
     running_.start();
     timer_.setInterval(tick_ms);
     connect(&timer_, &QTimer::timeout, this, &AlertCentre::tick);
+    inEveryLanguage(this, [this] {
+        book_.reword([this](const Situation& situation) {
+            return AlertRules::guardZoneEntered(situation.track, situation.guard_zone, names_);
+        });
+        tell();
+    });
 }
 
 Timestamp AlertCentre::now() const {

@@ -117,7 +117,8 @@ Situation AlertRules::guardZoneEntered(int track, const QString& zone, const Tra
             tr("%1 in guard zone %2").arg(Formatter::trackLabel(track, names), zone),
             tr("a confirmed track has come in"),
             0.0,
-            track};
+            track,
+            zone};
 }
 
 }  // namespace echotrail

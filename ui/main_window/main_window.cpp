@@ -39,6 +39,7 @@
 namespace echotrail {
 namespace {
 
+constexpr QSize first_size(1600, 1000);   // px, until it is known how the operator likes it
 constexpr int readout_interval_ms = 250;  // numbers change four times a second at most
 constexpr int slow_opening_ms = 300;      // a quick one says nothing, so that the picture does not jump
 
@@ -50,6 +51,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent) : QMainWindow(pa
     if (options_.remember) theme_ = themeFromName(QSettings().value("palette").toString());
     applyTheme(*qApp, theme_);  // first: all lengths come from its font
     setWindowTitle(tr("Echotrail"));
+    resize(first_size);
     setAcceptDrops(true);
     bridge_.setLiveAccess(options_.live);
     setDockNestingEnabled(true);
@@ -140,6 +142,7 @@ void MainWindow::makeDocks() {
         fan_->setTrackNames(names);
         plan_->setTrackNames(names);
         alerts_->setTrackNames(names);
+        status_->setTrackNames(names);
         if (bridge_.scene()) onScene(bridge_.scene());
     });
     for (const auto happening : {&PipelineBridge::opened, &PipelineBridge::closed})

@@ -166,7 +166,7 @@ void StatusBar::showTrack(const Scene& scene) {
     if (target) {
         const bool fine = target->state == TrackState::Confirmed;
         const double age = secondsBetween(target->last_seen, scene.latest.time);
-        track_->show(fine ? Health::Good : Health::Degraded, Formatter::trackId(target->id),
+        track_->show(fine ? Health::Good : Health::Degraded, Formatter::trackLabel(target->id, names_),
                      stateWord(target->state) + tr(" · seen %1 ago").arg(Formatter::age(age)));
     } else {
         track_->show(confirmed > 0 ? Health::Good : Health::Absent,

@@ -3,6 +3,7 @@
 #include "core/runtime/replay_runner.hpp"
 #include "core/runtime/scene.hpp"
 #include "ui/bridge/live_source.hpp"
+#include "ui/style/formatter.hpp"
 
 #include <QWidget>
 #include <optional>
@@ -33,6 +34,8 @@ public:
     /// `longest_heading_gap_s`: an older heading is no use.
     void showLive(const LiveState& state, double longest_heading_gap_s);
     void showScene(const Scene& scene);
+    /// What tracks are called from the next scene on.
+    void setTrackNames(const TrackNames& names) { names_ = names; }
     /// `lit`: what asks for the operator is shown filled at this moment of flashing.
     void showAlerts(const AlertSummary& alerts, bool lit);
     void showTheme(const QString& name);
@@ -62,6 +65,7 @@ private:
     double pingRate(const LiveState& state);
 
     Mode mode_ = Mode::Nothing;
+    TrackNames names_;
     StatusChip* file_ = nullptr;
     StatusChip* speed_ = nullptr;
     StatusChip* position_ = nullptr;

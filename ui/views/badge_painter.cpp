@@ -2,10 +2,13 @@
 
 #include "core/data/ping.hpp"
 #include "ui/style/formatter.hpp"
+#include "ui/views/halo.hpp"
 
+#include <QImage>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace echotrail {
 
@@ -22,17 +25,15 @@ void BadgePainter::ground(const QRectF& box) {
     painter_.setRenderHint(QPainter::Antialiasing);
 }
 
-double BadgePainter::widthOf(const BadgeLine& line) const {
-    double width = 0.0;
-    for (const BadgeText& part : line)
-        width += QFontMetricsF(fontOf(part), painter_.device()).horizontalAdvance(part.text);
-    return width;
-}
-
 QRectF BadgePainter::paint(BadgeCorner corner, const QList<BadgeLine>& lines) {
-    const QFontMetricsF font(fontOf({}), painter_.device());
+    const QFontMetricsF font(plain_, painter_.device());
+    QList<QList<double>> widths;  // of each part
     double width = 0.0;
-    for (const BadgeLine& line : lines) width = std::max(width, widthOf(line));
+    for (const BadgeLine& line : lines) {
+        widths.emplaceBack();
+        for (const BadgeText& part : line) widths.back() << keptWidth(painter_, part.bold ? bold_ : plain_, part.text);
+        width = std::max(width, std::accumulate(widths.back().begin(), widths.back().end(), 0.0));
+    }
     const double pad = px(8.0);
     const QSizeF size(std::ceil(width + 2.0 * pad), std::ceil(font.height() * static_cast<double>(lines.size()) + pad));
     const double edge = px(8.0);
@@ -41,13 +42,13 @@ QRectF BadgePainter::paint(BadgeCorner corner, const QList<BadgeLine>& lines) {
     const QRectF box(std::floor(x), std::floor(y), size.width(), size.height());
     ground(box);
     for (qsizetype i = 0; i < lines.size(); ++i) {
-        double at = corner == BadgeCorner::TopRight ? box.right() - pad - widthOf(lines[i]) : box.x() + pad;
-        for (const BadgeText& part : lines[i]) {
-            painter_.setFont(fontOf(part));
-            painter_.setPen(part.colour);
-            painter_.drawText(QPointF(at, box.y() + pad / 2.0 + font.height() * static_cast<double>(i) + font.ascent()),
-                              part.text);
-            at += QFontMetricsF(fontOf(part), painter_.device()).horizontalAdvance(part.text);
+        const double line_width = std::accumulate(widths[i].begin(), widths[i].end(), 0.0);
+        double at = corner == BadgeCorner::TopRight ? box.right() - pad - line_width : box.x() + pad;
+        const double base = box.y() + pad / 2.0 + font.height() * static_cast<double>(i) + font.ascent();
+        for (qsizetype part = 0; part < lines[i].size(); ++part) {
+            painter_.setFont(lines[i][part].bold ? bold_ : plain_);
+            keptText(painter_, QPointF(at, base), lines[i][part].text, lines[i][part].colour);
+            at += widths[i][part];
         }
     }
     return box;
@@ -68,13 +69,13 @@ QRectF BadgePainter::paintLegend(const EchoSettings& settings, Theme theme, doub
     const EchoColours& map = echoColours(settings.map, theme);
     const double span_db = std::max(settings.white_db - settings.black_db, 0.1);
     const auto xOf = [&](double db) { return bar.x() + bar.width() * std::clamp(db / full_scale_db, 0.0, 1.0); };
-    const int columns = static_cast<int>(bar.width());
-    for (int i = 0; i < columns; ++i) {
-        const double db = full_scale_db * (i + 0.5) / columns;
+    QImage colours(static_cast<int>(bar.width()), 1, QImage::Format_RGB32);
+    for (int i = 0; i < colours.width(); ++i) {
+        const double db = full_scale_db * (i + 0.5) / colours.width();
         const double share = std::clamp((db - settings.black_db) / span_db, 0.0, 1.0);
-        painter_.fillRect(QRectF(bar.x() + i, bar.y(), 1.0, bar.height()),
-                          QColor(map[static_cast<std::size_t>(std::lround(share * 255.0))]));
+        colours.setPixel(i, 0, map[static_cast<std::size_t>(std::lround(share * 255.0))]);
     }
+    painter_.drawImage(QRectF(bar.topLeft(), QSizeF(colours.width(), bar.height())), colours);
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(palette_.mark);
     for (const double db : {settings.black_db, settings.white_db}) {
@@ -89,9 +90,9 @@ QRectF BadgePainter::paintLegend(const EchoSettings& settings, Theme theme, doub
         const QString text = db == 80 ? Formatter::withUnit(db, 0, "dB") : Formatter::number(db, 0);
         const double x = xOf(db);
         painter_.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + px(3.0)));
-        const double left = std::clamp(x - font.horizontalAdvance(text) / 2.0, bar.x(),
-                                       box.right() - px(4.0) - font.horizontalAdvance(text));
-        painter_.drawText(QPointF(left, bar.bottom() + px(3.0) + font.ascent()), text);
+        const double width = keptWidth(painter_, small, text);
+        const double left = std::clamp(x - width / 2.0, bar.x(), box.right() - px(4.0) - width);
+        keptText(painter_, QPointF(left, bar.bottom() + px(3.0) + font.ascent()), text, palette_.graticule);
     }
     return box;
 }

@@ -22,7 +22,13 @@ enum class BadgeCorner { TopLeft, TopRight, BottomLeft };
 class BadgePainter {
 public:
     BadgePainter(QPainter& painter, const QRectF& view, const Palette& palette, const QFont& font)
-        : painter_(painter), view_(view), palette_(palette), font_(font), metrics_(font) {}
+        : painter_(painter),
+          view_(view),
+          palette_(palette),
+          font_(font),
+          metrics_(font),
+          plain_(metrics_.sized(font, UiMetrics::base_pixel_size)),
+          bold_(metrics_.sized(font, UiMetrics::base_pixel_size, true)) {}
 
     /// The box that was filled.
     QRectF paint(BadgeCorner corner, const QList<BadgeLine>& lines);
@@ -32,14 +38,13 @@ public:
 private:
     double px(double at_base) const { return metrics_.length(at_base); }
     void ground(const QRectF& box);
-    double widthOf(const BadgeLine& line) const;
-    QFont fontOf(const BadgeText& part) const { return metrics_.sized(font_, UiMetrics::base_pixel_size, part.bold); }
 
     QPainter& painter_;
     QRectF view_;
     const Palette& palette_;
     QFont font_;
     UiMetrics metrics_;
+    QFont plain_, bold_;
 };
 
 }  // namespace echotrail

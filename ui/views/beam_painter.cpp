@@ -1,6 +1,8 @@
 #include "ui/views/beam_painter.hpp"
 
+#include "ui/views/device_pixels.hpp"
 #include "ui/views/halo.hpp"
+#include "ui/views/stroke_tiles.hpp"
 #include "ui/views/symbol_painter.hpp"
 #include "ui/views/track_painter.hpp"
 
@@ -18,20 +20,23 @@ void paintAgeRing(QPainter& painter, const BeamAges& ages, const FanGeometry& ge
                   const UiMetrics& metrics) {
     if (ages.age_s.size() < 2) return;
     const double radius = geometry.sector.range_m * geometry.px_per_m + metrics.length(ring_distance);
-    const QRectF box(geometry.head_px - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius));
-    const double step_rad = geometry.sector.width_rad / static_cast<double>(ages.age_s.size() - 1);
-    painter.setBrush(Qt::NoBrush);
-    for (std::size_t i = 0; i + 1 < ages.age_s.size(); ++i) {
-        if (ages.age_s[i] < 0.0F) continue;
+    const std::size_t pieces = ages.age_s.size() - 1;
+    const double step_rad = geometry.sector.width_rad / static_cast<double>(pieces);
+    const QTransform& to_device = painter.deviceTransform();
+    const auto corner = [&](std::size_t i) {
+        return to_device.map(
+            geometry.at(radius / geometry.px_per_m, geometry.sector.left + static_cast<double>(i) * step_rad));
+    };
+    const auto scanned = [&](std::size_t i) { return i < pieces && ages.age_s[i] >= 0.0F; };
+    std::vector<StrokeLeg> legs;
+    for (std::size_t i = 0; i < pieces; ++i) {
+        if (!scanned(i)) continue;
         const double share = ages.oldest_s > 0.0 ? static_cast<double>(ages.age_s[i]) / ages.oldest_s : 0.0;
-        QColor colour = palette.track;
-        colour.setAlphaF(static_cast<float>(1.0 - (1.0 - least_opacity) * share));
-        painter.setPen(QPen(colour, metrics.length(ring_width), Qt::SolidLine, Qt::FlatCap));
-        const double angle = geometry.screenAngle(geometry.sector.left) + static_cast<double>(i) * step_rad;
-        // Qt counts sixteenths of a degree from three o'clock, turning left.
-        painter.drawArc(box, static_cast<int>(std::lround((90.0 - degreesFromRadians(angle)) * 16.0)),
-                        -static_cast<int>(std::ceil(degreesFromRadians(step_rad) * 16.0)));
+        legs.push_back(
+            {corner(i), corner(i + 1), i > 0 && scanned(i - 1), scanned(i + 1), 1.0 - (1.0 - least_opacity) * share});
     }
+    paintStroke(painter, legs,
+                {0.5 * metrics.length(ring_width) * deviceScale(painter), 0.0, palette.track, Qt::transparent});
 }
 
 }  // namespace

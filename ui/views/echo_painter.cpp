@@ -26,6 +26,43 @@ cv::Matx23d screenToFan(const auto& fan, const FanGeometry& geometry, const QRec
     return {along_x.x, along_y.x, origin.x, along_x.y, along_y.y, origin.y};
 }
 
+// Places in a fan are counted in 1/65 536 of a pixel.
+constexpr int place_bits = 16;
+constexpr std::int32_t half_place = 1 << (place_bits - 1);
+
+std::int32_t fixedPlace(double value) { return static_cast<std::int32_t>(std::lround(value * (1 << place_bits))); }
+
+/// Pixels [from, to) of a row.
+struct RowPart {
+    int from = 0;
+    int to = 0;
+
+    /// Only where 0 ≤ place + step · x ≤ last.
+    void keep(double place, double step, double last) {
+        double first_x = -place / step;
+        double last_x = (last - place) / step;
+        if (step == 0.0) {
+            if (place < 0.0 || place > last) to = from;
+            return;
+        }
+        if (step < 0.0) std::swap(first_x, last_x);
+        from = static_cast<int>(std::clamp(std::ceil(first_x), double(from), double(to)));
+        to = static_cast<int>(std::clamp(std::floor(last_x) + 1.0, double(from), double(to)));
+    }
+};
+
+/// Interpolated between the four pixels about a place that is not on the last row or column. Its level, 0…255.
+int levelAt(const std::uint8_t* levels, int stride, std::int32_t column, std::int32_t row) {
+    constexpr int whole = 256;
+    const auto* above = levels + (row >> place_bits) * stride + (column >> place_bits);
+    const auto* below = above + stride;
+    const int right = (column >> (place_bits - 8)) & (whole - 1);
+    const int lower = (row >> (place_bits - 8)) & (whole - 1);
+    const int on_top = above[0] * (whole - right) + above[1] * right;
+    const int beneath = below[0] * (whole - right) + below[1] * right;
+    return (on_top * (whole - lower) + beneath * lower + whole * whole / 2) / (whole * whole);
+}
+
 }  // namespace
 
 void EchoPainter::makeColours(const EchoSettings& settings, Theme theme) {
@@ -48,21 +85,37 @@ void EchoPainter::makeColours(const EchoSettings& settings, Theme theme) {
     }
 }
 
-void EchoPainter::colour(const BeamAges& ages) {
+void EchoPainter::colour(const FanImage& fan, const cv::Matx23d& map, const BeamAges& ages) {
     // Ages in fixed point: a step is so many 1/1024 of a millisecond.
     const double oldest_ms = std::max(1.0, 1000.0 * ages.oldest_s);
     const auto scale = static_cast<std::int64_t>((fade_steps - 1) * 1024.0 * 1024.0 / oldest_ms);
-    for (int y = 0; y < levels_.rows; ++y) {
-        const auto* level = levels_.ptr<std::uint8_t>(y);
-        const auto* time = times_.ptr<std::int32_t>(y);
+    const auto colourOf = [&](std::int32_t time_ms, int level) {
+        const std::int64_t step = (std::max(ages.newest_ms - time_ms, 0) * scale) >> 20;
+        return table_[static_cast<std::size_t>(std::min<std::int64_t>(step, fade_steps - 1))]
+                     [static_cast<std::size_t>(level)];
+    };
+    const auto* levels = fan.levels.ptr<std::uint8_t>();
+    const auto* times = fan.beam_time_ms.ptr<std::int32_t>();
+    const auto levels_stride = static_cast<int>(fan.levels.step1());
+    const auto times_stride = static_cast<int>(fan.beam_time_ms.step1());
+    constexpr double within = 0.05;  // of a pixel: more than steps in fixed point add up to
+    image_.fill(canvas_);
+    for (int y = 0; y < image_.height(); ++y) {
+        const double first_column = map(0, 1) * y + map(0, 2);
+        const double first_row = map(1, 1) * y + map(1, 2);
+        RowPart part{0, image_.width()};
+        part.keep(first_column - within, map(0, 0), fan.levels.cols - 1 - 2.0 * within);
+        part.keep(first_row - within, map(1, 0), fan.levels.rows - 1 - 2.0 * within);
         auto* pixel = reinterpret_cast<QRgb*>(image_.scanLine(y));
-        for (int x = 0; x < levels_.cols; ++x) {
-            if (time[x] == FanImage::never_scanned) {
-                pixel[x] = canvas_;
-                continue;
-            }
-            const std::int64_t step = (std::max(ages.newest_ms - time[x], 0) * scale) >> 20;
-            pixel[x] = table_[static_cast<std::size_t>(std::min<std::int64_t>(step, fade_steps - 1))][level[x]];
+        std::int32_t column = fixedPlace(first_column + map(0, 0) * part.from);
+        std::int32_t row = fixedPlace(first_row + map(1, 0) * part.from);
+        const std::int32_t column_step = fixedPlace(map(0, 0));
+        const std::int32_t row_step = fixedPlace(map(1, 0));
+        for (int x = part.from; x < part.to; ++x, column += column_step, row += row_step) {
+            const std::int32_t time_ms =
+                times[((row + half_place) >> place_bits) * times_stride + ((column + half_place) >> place_bits)];
+            if (time_ms != FanImage::never_scanned)
+                pixel[x] = colourOf(time_ms, levelAt(levels, levels_stride, column, row));
         }
     }
 }
@@ -71,8 +124,8 @@ void EchoPainter::colour(const BeamAges& ages) {
 void EchoPainter::addTrails(const RememberedEchoes& trails, const BeamAges& ages, const FanGeometry& geometry,
                             const QRect& box, double device_pixel_ratio) {
     const cv::Matx23d map = screenToFan(trails, geometry, box, device_pixel_ratio);
-    cv::warpAffine(trails.trail_time_ms, times_, map, levels_.size(), cv::INTER_NEAREST | cv::WARP_INVERSE_MAP,
-                   cv::BORDER_CONSTANT, cv::Scalar(FanImage::never_scanned));
+    cv::warpAffine(trails.trail_time_ms, times_, map, {image_.width(), image_.height()},
+                   cv::INTER_NEAREST | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT, cv::Scalar(FanImage::never_scanned));
     const QColor& full = paletteOf(table_theme_).track;
     for (int y = 0; y < times_.rows; ++y) {
         const auto* time = times_.ptr<std::int32_t>(y);
@@ -99,16 +152,11 @@ const QImage& EchoPainter::image(const FanImage& fan, std::uint64_t serial, cons
                      static_cast<int>(std::ceil(box.height() * device_pixel_ratio)));
     if (image_.size() != size) image_ = QImage(size, QImage::Format_RGB32);
     image_.setDevicePixelRatio(device_pixel_ratio);
-    if (fan.empty() || size.isEmpty()) {
+    if (fan.empty() || fan.levels.cols < 2 || fan.levels.rows < 2 || size.isEmpty()) {
         image_.fill(canvas_);
         return image_;
     }
-    const cv::Matx23d map = screenToFan(fan, geometry, box, device_pixel_ratio);
-    const cv::Size cv_size(size.width(), size.height());
-    cv::warpAffine(fan.levels, levels_, map, cv_size, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT);
-    cv::warpAffine(fan.beam_time_ms, times_, map, cv_size, cv::INTER_NEAREST | cv::WARP_INVERSE_MAP,
-                   cv::BORDER_CONSTANT, cv::Scalar(FanImage::never_scanned));
-    colour(ages);
+    colour(fan, screenToFan(fan, geometry, box, device_pixel_ratio), ages);
     if (trails) addTrails(*trails, ages, geometry, box, device_pixel_ratio);
     return image_;
 }

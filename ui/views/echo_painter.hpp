@@ -36,7 +36,7 @@ private:
     static constexpr int fade_steps = 32;
 
     void makeColours(const EchoSettings& settings, Theme theme);
-    void colour(const BeamAges& ages);
+    void colour(const FanImage& fan, const cv::Matx23d& map, const BeamAges& ages);
     void addTrails(const RememberedEchoes& trails, const BeamAges& ages, const FanGeometry& geometry, const QRect& box,
                    double device_pixel_ratio);
 
@@ -46,8 +46,7 @@ private:
     bool has_table_ = false;
     std::array<std::array<QRgb, 256>, fade_steps> table_{};  ///< by age, then level
     QRgb canvas_ = 0;
-    cv::Mat levels_;
-    cv::Mat times_;
+    cv::Mat times_;  ///< of trails
     QImage image_;
 };
 

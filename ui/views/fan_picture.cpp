@@ -54,7 +54,7 @@ void paintScaleBar(QPainter& painter, const QRectF& box, double px_per_m, const 
     bar.lineTo(right, y - metrics.length(4.0));
     strokeWithHalo(painter, bar, {palette.mark, metrics.length(1.2)}, palette.halo);
     const QString label = Formatter::number(metres, metres < 1.0 ? 2 : 0) + " m";
-    const double width = QFontMetricsF(painter.font(), painter.device()).horizontalAdvance(label);
+    const double width = keptWidth(painter, painter.font(), label);
     textWithHalo(painter, {(left + right - width) / 2.0, y - metrics.length(6.0)}, label, palette.mark, palette.halo);
 }
 
@@ -138,9 +138,9 @@ void FanPicture::paint(QPainter& painter, const QSize& size, const FanMoment& mo
         painter.drawText(view, Qt::AlignCenter, FanText::tr("No echoes yet"));
         return;
     }
-    painter.fillRect(view, palette.canvas);
-    if (moment.layers.echoes) {
-        const QRect box = echoBox(moment, view);
+    const QRect box = moment.layers.echoes ? echoBox(moment, view) : QRect();
+    for (const QRect& part : QRegion(view.toRect()) - box) painter.fillRect(part, palette.canvas);
+    if (!box.isEmpty()) {
         const RememberedEchoes* trails = moment.layers.trails ? moment.scene->remembered.get() : nullptr;
         painter.drawImage(box.topLeft(),
                           echo_.image(shownFan(moment), moment.serial, *moment.ages, moment.geometry, shownEcho(moment),

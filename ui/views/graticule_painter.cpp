@@ -1,6 +1,7 @@
 #include "ui/views/graticule_painter.hpp"
 
 #include "ui/style/formatter.hpp"
+#include "ui/views/device_pixels.hpp"
 #include "ui/views/halo.hpp"
 
 #include <algorithm>
@@ -124,7 +125,7 @@ void paintBearingLabels(const Canvas& canvas, bool heading_known) {
         QPointF place = geometry.at(geometry.sector.range_m + away, bearing);
         place += QPointF(canvas.metrics.length(8.0) * std::sin(angle), 0);
         const auto centred = [&](double y, const QString& text, const QColor& colour) {
-            textWithHalo(canvas.painter, {place.x() - font.horizontalAdvance(text) / 2.0, y}, text, colour,
+            textWithHalo(canvas.painter, {place.x() - keptWidth(canvas.painter, large, text) / 2.0, y}, text, colour,
                          canvas.palette.halo);
         };
         const double line = font.height() * 0.92;
@@ -135,6 +136,24 @@ void paintBearingLabels(const Canvas& canvas, bool heading_known) {
             std::lround(degreesFromRadians((bearing + geometry.heading.inRadians()).inRadians()) + 360.0) % 360;
         centred(first + line, QString("%1°T").arg(from_north, 3, 10, QChar('0')), faded(canvas.palette.mark, 0.72));
     }
+}
+
+/// Squares that together hold all of a picture that is not transparent: most of a graticule is.
+QList<QRect> partsOf(const QImage& picture) {
+    constexpr int side = 32;
+    QList<QRect> parts;
+    const auto isEmpty = [&](const QRect& part) {
+        for (int y = part.top(); y <= part.bottom(); ++y) {
+            const auto* pixel = reinterpret_cast<const QRgb*>(picture.constScanLine(y));
+            if (std::any_of(pixel + part.left(), pixel + part.right() + 1, [](QRgb each) { return each != 0; }))
+                return false;
+        }
+        return true;
+    };
+    for (int y = 0; y < picture.height(); y += side)
+        for (int x = 0; x < picture.width(); x += side)
+            if (const QRect part = QRect(x, y, side, side) & picture.rect(); !isEmpty(part)) parts << part;
+    return parts;
 }
 
 }  // namespace
@@ -163,7 +182,7 @@ void GraticulePainter::paint(QPainter& painter, const QSize& size, const FanGeom
     const Key key{size, fixed, palette.canvas.rgb(), font, ratio};
     if (picture_.isNull() || key != key_) {
         key_ = key;
-        picture_ = QPixmap(size * ratio);
+        picture_ = QImage(size * ratio, QImage::Format_ARGB32_Premultiplied);
         picture_.setDevicePixelRatio(ratio);
         picture_.fill(Qt::transparent);
         QPainter still(&picture_);
@@ -172,8 +191,15 @@ void GraticulePainter::paint(QPainter& painter, const QSize& size, const FanGeom
         const Canvas canvas{still, fixed, palette, metrics, QRectF(QPointF(), size)};
         paintLines(canvas);
         paintRingLabels(canvas);
+        still.end();
+        picture_.setDevicePixelRatio(1.0);
+        parts_ = partsOf(picture_);
     }
-    painter.drawPixmap(0, 0, picture_);
+    const QPointF corner = painter.deviceTransform().map(QPointF());
+    {
+        const DevicePixels pixels(painter);
+        for (const QRect& part : parts_) painter.drawImage(corner.toPoint() + part.topLeft(), picture_, part);
+    }
     painter.setFont(small);
     paintBearingLabels({painter, geometry, palette, metrics, QRectF(QPointF(), size)}, heading_known);
 }

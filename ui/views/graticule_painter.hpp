@@ -5,8 +5,9 @@
 #include "ui/views/fan_geometry.hpp"
 
 #include <QFont>
+#include <QImage>
+#include <QList>
 #include <QPainter>
-#include <QPixmap>
 
 namespace echotrail {
 
@@ -32,7 +33,8 @@ private:
         bool operator==(const Key&) const = default;
     };
     Key key_;
-    QPixmap picture_;
+    QImage picture_;
+    QList<QRect> parts_;  ///< of it where there is something, in its pixels
 };
 
 }  // namespace echotrail

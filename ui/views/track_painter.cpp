@@ -65,17 +65,17 @@ std::vector<Eigen::Vector2d> ellipseOutline(const Eigen::Vector2d& centre, const
 }
 
 void TrackPainter::paintRegions() {
-    QPainterPath kept;
-    QPainterPath dropped;
-    for (const Region& region : scene_.regions) {
-        if (region.outline_m.size() < 2) continue;
-        const bool shown = isDropped(region) ? layers_.regions_dropped : layers_.regions_kept;
-        if (shown) (isDropped(region) ? dropped : kept).addPath(closedPath(geometry_, region.outline_m));
-    }
     QColor weak = palette_.region;
     weak.setAlphaF(0.75F);
-    if (!dropped.isEmpty()) strokeWithHalo(painter_, dropped, {weak, px(1.0), {px(2.0), px(2.0)}}, palette_.halo);
-    if (!kept.isEmpty()) strokeWithHalo(painter_, kept, {palette_.region, px(1.0)}, palette_.halo);
+    const LineStyle kept{palette_.region, px(1.0)};
+    const LineStyle dropped{weak, px(1.0), {px(2.0), px(2.0)}};
+    const auto paint = [this](bool wanted, bool are_dropped, const LineStyle& style) {
+        for (const Region& region : scene_.regions)
+            if (wanted && isDropped(region) == are_dropped && region.outline_m.size() >= 2)
+                strokeWithHalo(painter_, closedPath(geometry_, region.outline_m), style, palette_.halo);
+    };
+    paint(layers_.regions_dropped, true, dropped);
+    paint(layers_.regions_kept, false, kept);
 }
 
 void TrackPainter::paintRegionOfInterest(const Track& track) {
@@ -103,10 +103,10 @@ void TrackPainter::paintHistory(const Track& track) {
     QPainterPath path;
     path.addPolygon(places);
     strokeWithHalo(painter_, path, {palette_.track, px(1.2)}, palette_.halo);
-    painter_.setPen(Qt::NoPen);
-    painter_.setBrush(palette_.track);
+    QList<QPointF> seen;
     for (std::size_t i = 0; i < track.history.size(); ++i)
-        if (track.history[i].seen) painter_.drawEllipse(places[static_cast<qsizetype>(i)], px(2.0), px(2.0));
+        if (track.history[i].seen) seen << places[static_cast<qsizetype>(i)];
+    fillDots(painter_, seen, px(2.0), palette_.track);
 }
 
 void TrackPainter::paintPrediction(const Track& track) {
@@ -132,15 +132,17 @@ void TrackPainter::paintParticles(const Track& track) {
     if (heaviest <= 0.0F) return;
     std::array<QList<QPointF>, opacity_batches> batches;
     const QPointF middle = geometry_.toScreen(Eigen::Vector2d(track.estimate.mean.head<2>()));
+    const QPointF per_north = geometry_.toScreen(1.0, 0.0) - geometry_.toScreen(0.0, 0.0);
+    const QPointF per_east = geometry_.toScreen(0.0, 1.0) - geometry_.toScreen(0.0, 0.0);
     const double crowded = px(9.0);
     const std::size_t stride = (count + most_points - 1) / most_points;
     for (std::size_t i = 0; i < count; i += stride) {
-        const QPointF place = geometry_.toScreen(cloud.position_m[i]);
+        const Eigen::Vector2d from_mean = cloud.position_m[i].cast<double>() - track.estimate.mean.head<2>();
+        const QPointF offset = from_mean.x() * per_north + from_mean.y() * per_east;
         // The echo must be seen under its explanation: where the cloud is dense three of four points are left out.
-        const QPointF offset = place - middle;
-        if (i % 4 != 0 && std::hypot(offset.x(), offset.y()) < crowded) continue;
+        if (i % 4 != 0 && QPointF::dotProduct(offset, offset) < crowded * crowded) continue;
         const auto batch = static_cast<std::size_t>(cloud.weight[i] / heaviest * (opacity_batches - 0.01F));
-        batches[batch].push_back(place);
+        batches[batch].push_back(middle + offset);
     }
     painter_.setRenderHint(QPainter::Antialiasing, false);
     for (std::size_t batch = 0; batch < batches.size(); ++batch) {
@@ -200,12 +202,10 @@ QStringList TrackPainter::labelOf(const Track& track) const {
 
 void TrackPainter::paintLabel(const Track& track, QPointF centre, QList<QRectF>& taken) {
     const QStringList lines = labelOf(track);
-    const QFont bold = metrics_.sized(font_, 11.0, true);
-    const QFont plain = metrics_.sized(font_, 11.0);
-    const QFontMetricsF strong(bold, painter_.device());
-    const QFontMetricsF normal(plain, painter_.device());
-    double width = strong.horizontalAdvance(lines[0]);
-    for (const QString& line : lines.mid(1)) width = std::max(width, normal.horizontalAdvance(line));
+    const QFontMetricsF strong(bold_, painter_.device());
+    const QFontMetricsF normal(plain_, painter_.device());
+    double width = keptWidth(painter_, bold_, lines[0]);
+    for (const QString& line : lines.mid(1)) width = std::max(width, keptWidth(painter_, plain_, line));
     const double height = strong.height() + normal.height() * static_cast<double>(lines.size() - 1);
     const double away = px(16.0);
     // Right above first; elsewhere where another label lies already.
@@ -223,10 +223,10 @@ void TrackPainter::paintLabel(const Track& track, QPointF centre, QList<QRectF>&
     }
     taken << box;
     const bool lost = track.state == TrackState::Lost;
-    painter_.setFont(bold);
+    painter_.setFont(bold_);
     textWithHalo(painter_, {box.x(), box.y() + strong.ascent()}, lines[0], lost ? palette_.danger : palette_.track,
                  palette_.halo);
-    painter_.setFont(plain);
+    painter_.setFont(plain_);
     double y = box.y() + strong.height() + normal.ascent();
     for (const QString& line : lines.mid(1)) {
         textWithHalo(painter_, {box.x(), y}, line, palette_.mark, palette_.halo);

@@ -22,9 +22,10 @@ public:
           geometry_(geometry),
           layers_(layers),
           palette_(palette),
-          font_(font),
           names_(names),
-          metrics_(font) {}
+          metrics_(font),
+          bold_(metrics_.sized(font, 11.0, true)),
+          plain_(metrics_.sized(font, 11.0)) {}
 
     void paintRegions();
     /// Everything of the tracks but symbols and labels; `only` a track's id, or 0 for all.
@@ -46,9 +47,9 @@ private:
     const FanGeometry& geometry_;
     const Layers& layers_;
     const Palette& palette_;
-    QFont font_;
     const TrackNames& names_;
     UiMetrics metrics_;
+    QFont bold_, plain_;  ///< of labels
 };
 
 /// A region that no track may use.

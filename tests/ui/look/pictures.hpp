@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QPointF>
 #include <QWidget>
+#include <cstdlib>
 
 namespace echotrail::test {
 
@@ -34,6 +35,18 @@ inline int pixelsLike(const QImage& picture, const QColor& colour) {
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x)
             if (picture.pixel(x, y) == colour.rgb()) ++count;
+    return count;
+}
+
+/// Those of which no channel differs by more.
+inline int pixelsNear(const QImage& picture, const QColor& colour, int most) {
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+            const QRgb pixel = picture.pixel(x, y);
+            count += std::abs(qRed(pixel) - colour.red()) <= most && std::abs(qGreen(pixel) - colour.green()) <= most &&
+                     std::abs(qBlue(pixel) - colour.blue()) <= most;
+        }
     return count;
 }
 

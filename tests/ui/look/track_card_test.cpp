@@ -178,6 +178,9 @@ TEST_F(TracksPanelTest, ATracksNameIsTakenByEnterAndForgottenWithTheRun) {
     EXPECT_EQ(stateOf(1), "confirmed") << "not before Enter";
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_EQ(stateOf(1), QString::fromUtf8("buoy · confirmed"));
+    const auto* title = panel_.findChild<TargetCard*>()->findChild<QLabel*>("title");
+    panel_.setScene(scene_);
+    EXPECT_EQ(title->text(), "T01 buoy");
     panel_.selectTrack(2);
     panel_.setScene(scene_);
     EXPECT_EQ(field->text(), "") << "the other has none";

@@ -3,7 +3,9 @@
 #include <QFile>
 #include <QImage>
 #include <QProcess>
+#include <QSettings>
 #include <QTemporaryDir>
+#include <QWidget>
 
 namespace echotrail {
 namespace {
@@ -14,9 +16,10 @@ struct Outcome {
     QString errors;
 };
 
-Outcome run(const QStringList& arguments, bool with_platform = true) {
+Outcome run(const QStringList& arguments, bool with_platform = true, const QString& settings = {}) {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    if (!settings.isEmpty()) environment.insert("XDG_CONFIG_HOME", settings);
     for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) environment.remove(name);
     if (with_platform) environment.insert("QT_QPA_PLATFORM", "offscreen");
     process.setProcessEnvironment(environment);
@@ -96,6 +99,19 @@ TEST_F(ConsoleProgram, EndsHeadlessAfterThePicturesOrWhenInterrupted) {
 }
 
 TEST_F(ConsoleProgram, ClosesWhenToldTo) { EXPECT_EQ(run({"--demonstration", "--quit-after", "0.3"}).exit_code, 0); }
+
+TEST_F(ConsoleProgram, TheWindowComesBackAsLargeAsItWasLeft) {
+    const auto open = [&](const QStringList& size) {
+        EXPECT_EQ(run(QStringList{"--quit-after", "0.3"} + size, true, folder_.path()).exit_code, 0);
+        const QSettings settings(folder_.filePath("echotrail/console.ini"), QSettings::IniFormat);
+        QWidget window;
+        EXPECT_TRUE(window.restoreGeometry(settings.value("geometry").toByteArray()));
+        return window.size();
+    };
+    EXPECT_EQ(open({"--width", "1350", "--height", "850"}), QSize(1350, 850));
+    EXPECT_EQ(open({}), QSize(1350, 850));
+    EXPECT_EQ(open({"--width", "1400"}), QSize(1400, 850));
+}
 
 TEST_F(ConsoleProgram, WrongUsageIsExitCodeTwoWithOneLine) {
     const QList<QStringList> wrong{{"--set", "sound_speeed=1500"},

@@ -161,6 +161,8 @@ TEST_F(LanguageTest, AlertsSpeakTheLanguageInForce) {
     speak(Language::Chinese);
     window_.alerts().guardZoneEntered(3, "N");
     EXPECT_EQ(window_.alerts().model().index(0).data().toString(), QString::fromUtf8("T03 进入警戒区 N"));
+    speak(Language::English);
+    EXPECT_EQ(window_.alerts().model().index(0).data().toString(), "T03 in guard zone N") << "though it is over";
 }
 
 TEST(Languages, HaveNamesForFilesAndForPeople) {

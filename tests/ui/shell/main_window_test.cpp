@@ -2,10 +2,12 @@
 
 #include "qt_environment.hpp"
 #include "tests/ui/look/colour_measures.hpp"
+#include "tests/ui/look/sample_scene.hpp"
 #include "ui/chart/area_model.hpp"
 #include "ui/chart/mark_model.hpp"
 #include "ui/main_window/message_strip.hpp"
 #include "ui/main_window/shortcuts_overlay.hpp"
+#include "ui/main_window/status_bar.hpp"
 #include "ui/main_window/status_chip.hpp"
 #include "ui/panels/beam/beam_panel.hpp"
 #include "ui/panels/parameters/parameter_panel.hpp"
@@ -20,6 +22,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 namespace echotrail {
 namespace {
@@ -230,6 +233,17 @@ TEST(MainWindow, OneUndoTakesBackMarksAndParametersAlike) {
     QTest::keyClick(&window.fan(), Qt::Key_M);
     QTest::keyClick(&window.fan(), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(window.marks().rowCount(), 1);
+}
+
+TEST(StatusBar, CallsTheTargetByItsName) {
+    StatusBar bar;
+    bar.showSource({});
+    bar.setTrackNames({{1, "buoy"}});
+    bar.showScene(test::fullScene());
+    const auto chips = bar.findChildren<StatusChip*>();
+    EXPECT_TRUE(std::any_of(chips.begin(), chips.end(), [](const StatusChip* chip) {
+        return chip->accessibleName().startsWith("TRACK T01 buoy confirmed");
+    }));
 }
 
 TEST(MainWindow, KeysTurnTheFanMeasureAndBringTheBeamToTheFront) {

@@ -219,8 +219,8 @@ void TargetCard::showFacts(const Track& track, const Scene& scene, const std::ve
 }
 
 void TargetCard::showTrack(const Track& track, const Scene& scene, const std::vector<TrackSample>& samples,
-                           const Tracker::Params& params) {
-    title_->setText(Formatter::trackId(track.id));
+                           const Tracker::Params& params, const TrackNames& names) {
+    title_->setText(Formatter::trackLabel(track.id, names));
     subtitle_->setText((track.target ? tr("target · %1") : QString("%1")).arg(stateWord(track.state)));
     setLabelRole(*subtitle_, track.state == TrackState::Lost ? "lost" : "dim");
     showValues(track, scene);

@@ -3,6 +3,7 @@
 #include "core/runtime/scene.hpp"
 #include "core/tracking/tracker.hpp"
 #include "ui/models/track_samples.hpp"
+#include "ui/style/formatter.hpp"
 
 #include <QWidget>
 #include <array>
@@ -24,7 +25,7 @@ public:
     explicit TargetCard(QWidget* parent = nullptr);
     /// `samples`: of this track, so far. `params`: by which the tracker judges it.
     void showTrack(const Track& track, const Scene& scene, const std::vector<TrackSample>& samples,
-                   const Tracker::Params& params);
+                   const Tracker::Params& params, const TrackNames& names = {});
     void showNothing();
 
 private:

@@ -193,7 +193,7 @@ void TracksPanel::setScene(const Scene& scene) {
     if (!track) return card_->showNothing();
     shown_range_m_ = rangeOf(*track, scene.latest.pose);
     shown_bearing_ = bearingOf(*track, scene.latest.pose);
-    card_->showTrack(*track, scene, samples_.of(track->id), params_);
+    card_->showTrack(*track, scene, samples_.of(track->id), params_, model_.names());
 }
 
 void TracksPanel::showButtons(const Scene& scene, const Track* track) {
