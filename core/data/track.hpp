@@ -1,14 +1,16 @@
 #pragma once
 
-#include "core/base/angles.hpp"
-#include "core/base/time.hpp"
-#include "core/data/region.hpp"
-
-#include <Eigen/Core>
-
+// clang-format off: moc of Qt 6.4 stumbles over <compare> and <numbers> where it meets them first
 #include <cstdint>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/angles.hpp"
+#include "core/base/time.hpp"
+#include "core/data/region.hpp"
+// clang-format on
 
 namespace echotrail {
 

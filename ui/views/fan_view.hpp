@@ -3,7 +3,7 @@
 #include "core/runtime/scene.hpp"
 #include "ui/views/fan_picture.hpp"
 
-// After those above: moc of Qt 6.4 stumbles over <compare> where it meets it first.
+// After those above, see track.hpp
 #include "core/data/scan_sector.hpp"
 
 #include <QWidget>
