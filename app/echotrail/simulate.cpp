@@ -180,11 +180,12 @@ ExitCode pursue(const SimulateArguments& arguments, Scenario scenario) {
         runPursuit(scenario, settings->params, *pursuit, arguments.seed, [] { return isInterrupted(); });
     const auto& samples = result.record.samples();
     const double data_s = samples.empty() ? 0.0 : samples.back().time_s;
+    const double looks_per_s = data_s > 0.0 ? static_cast<double>(result.looks) / data_s : 0.0;
     std::cout << nlohmann::ordered_json{{"scenario", scenario.name},
                                         {"seed", arguments.seed},
                                         {"data_seconds", data_s},
                                         {"pings", result.pings},
-                                        {"looks_per_s", data_s > 0.0 ? static_cast<double>(result.looks) / data_s : 0.0},
+                                        {"looks_per_s", looks_per_s},
                                         {"reports", result.reports},
                                         {"valid_reports", result.valid},
                                         {"picks", result.picks},

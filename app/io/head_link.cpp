@@ -105,8 +105,8 @@ void HeadLink::setSettings(const HeadSettings& settings) {
     converse();
 }
 
-/// Tells the session what the head is to scan. What the runner wants was chosen at the last ping: where the operator has
-/// set another sector since, it is heeded only within that one.
+/// Tells the session what the head is to scan. What the runner wants was chosen at the last ping: where the operator
+/// has set another sector since, it is heeded only within that one.
 void HeadLink::aim() {
     const auto wanted = runner_.sector();
     const bool follows = wanted && contains(scanSector(settings_), *wanted);

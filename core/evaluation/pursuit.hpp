@@ -17,8 +17,8 @@ struct PursuitResult {
 };
 
 /// The whole loop of a trial, in one process and as fast as the machine can: the head hears the scenario, the pipeline
-/// follows the target, and a vehicle that knows nothing but its reports (the lines of `--report`, made and read as there)
-/// follows it and carries the head. Where `follow_target` is set, the head looks where the pipeline wants it to.
+/// follows the target, and a vehicle that knows nothing but its reports (the lines of `--report`, made and read as
+/// there) follows it and carries the head. Where `follow_target` is set, the head looks where the pipeline wants it to.
 /// An operator points at the target at the start, and again when it has been lost for 30 s. The scenario has a target.
 /// The same arguments give the same result. Stops early when `cancelled` says so.
 PursuitResult runPursuit(const Scenario& scenario, const ScanningSonarPipeline::Params& params,

@@ -64,7 +64,8 @@ std::optional<PursuitRecord::Figures> PursuitRecord::figuresFrom(double first_wi
 }
 
 std::string PursuitRecord::csv() const {
-    std::string text = "t,vehicle_north_m,vehicle_east_m,vehicle_heading_deg,target_north_m,target_east_m,range_m,steered\n";
+    std::string text =
+        "t,vehicle_north_m,vehicle_east_m,vehicle_heading_deg,target_north_m,target_east_m,range_m,steered\n";
     for (const Sample& sample : samples_) {
         const double numbers[] = {sample.vehicle.north_m,  sample.vehicle.east_m, sample.vehicle.heading.inDegrees(),
                                   sample.target_m.x(), sample.target_m.y(), sample.range_m()};
@@ -98,7 +99,8 @@ std::string PursuitRecord::svg(const std::string& title) const {
     drawing.text({right - 4, top + 32}, "vehicle", Anchor::End, "fill:#0072b2");
 
     const double range_top = top + map_height + 10.0, range_bottom = range_top + range_height - 50.0;
-    const SvgAxis metres(0.0, 1.1 * greatest_m, range_bottom, range_top), seconds(0.0, samples_.back().time_s, left, right);
+    const SvgAxis metres(0.0, 1.1 * greatest_m, range_bottom, range_top);
+    const SvgAxis seconds(0.0, samples_.back().time_s, left, right);
     drawing.leftAxis(metres, left, right, "range, m", 4);
     drawing.bottomAxis(seconds, range_top, range_bottom, "s");
     for (const Sample& sample : samples_) range.push_back({seconds.at(sample.time_s), metres.at(sample.range_m())});

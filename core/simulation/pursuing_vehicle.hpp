@@ -51,9 +51,9 @@ struct SteeringReport {
 /// Reads a line of reports. What is no such line is an error, whoever sent it.
 Result<SteeringReport> readSteeringReport(std::string_view line);
 
-/// A vehicle whose controller knows nothing but the reports it hears: it turns its bow to the target and holds the range,
-/// going as fast as the target goes away from it, and faster or slower by what it is too far or too near. It never goes
-/// astern. A current carries it along. The same reports at the same times steer it the same way.
+/// A vehicle whose controller knows nothing but the reports it hears: it turns its bow to the target and holds the
+/// range, going as fast as the target goes away from it, and faster or slower by what it is too far or too near. It
+/// never goes astern. A current carries it along. The same reports at the same times steer it the same way.
 class PursuingVehicle {
 public:
     /// It waits where the scenario's own vehicle begins.

@@ -26,7 +26,8 @@ struct Described<FollowParams> {
         flag(&P::follow_target, "follow_target",
              "The head scans only about the designated target, and so looks at it several times as often; never beyond "
              "the sector that is set, and all of that while there is no target or it is lost"),
-        Field{&P::follow_least_width_deg, "follow_least_width_deg", "deg", 5, 180, "The narrowest sector it scans then"},
+        Field{&P::follow_least_width_deg, "follow_least_width_deg", "deg", 5, 180,
+              "The narrowest sector it scans then"},
         Field{&P::follow_margin_sigmas, "follow_margin_sigmas", "", 1, 10,
               "Deviations of the expected place that are scanned to each side of it"},
         Field{&P::follow_slack_deg, "follow_slack_deg", "deg", 0, 30,
@@ -34,7 +35,7 @@ struct Described<FollowParams> {
         Field{&P::follow_widening, "follow_widening", "", 1, 10,
               "Each look in a row without an echo makes the sector this many times as wide"},
         Field{&P::follow_look_round_s, "follow_look_round_s", "s", 0, 600,
-              "So long after it last did, the head scans all of its sector once for the sake of other objects; 0: never"}};
+              "So long after it last did, the head scans all of its sector once for the sake of the rest; 0: never"}};
 };
 
 /// The operator's target as it is expected at its next look.

@@ -49,7 +49,9 @@ TEST(Pursuit, AHeadThatFollowsLooksSeveralTimesAsOften) {
 }
 
 TEST(Pursuit, SameSeedSamePaths) {
-    const auto paths = [](std::uint64_t seed) { return runPursuit(roundabout(60), following(true), {}, seed).record.csv(); };
+    const auto paths = [](std::uint64_t seed) {
+        return runPursuit(roundabout(60), following(true), {}, seed).record.csv();
+    };
     EXPECT_EQ(paths(3), paths(3));
     EXPECT_NE(paths(3), paths(4));
 }

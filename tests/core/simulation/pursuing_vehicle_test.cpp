@@ -34,7 +34,8 @@ TEST(PursuingVehicle, WaitsUntilItHearsOfATarget) {
 }
 
 TEST(PursuingVehicle, KeepsItsRangeToATargetThatGoesAwayAsideOrInACurrent) {
-    for (const Eigen::Vector2d& velocity : {Eigen::Vector2d(0.4, 0), Eigen::Vector2d(0, 0.4), Eigen::Vector2d(-0.1, 0.3)})
+    using Velocity = Eigen::Vector2d;
+    for (const Velocity& velocity : {Velocity(0.4, 0), Velocity(0, 0.4), Velocity(-0.1, 0.3)})
         for (const double current : {0.0, 0.3}) {
             Scenario scenario;
             scenario.vehicle.current_north_mps = -current;
