@@ -87,8 +87,7 @@ std::vector<std::string> ablationColumns() {
         with("paper", {"area_only", "moment_only", "covariance_as_printed", "product", "reference_scaled", "soft",
                        "constant_velocity", "no_motion_correction", "whole_sweep",
                        "enhanced+enhancement/{scene}-published", "enhanced+enhancement/{scene}-guarded"});
-    const auto ours = with("default", {"lookup",
-                                       "position_only",
+    const auto ours = with("default", {"position_only",
                                        "area_only",
                                        "moment_only",
                                        "no_area_no_moment",
