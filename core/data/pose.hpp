@@ -29,6 +29,8 @@ struct TimedPose {
 class PoseHistory {
 public:
     void add(const TimedPose& sample);
+    /// What is older may go; it goes when it is half of what there is.
+    void forgetBefore(Timestamp time);
     bool empty() const { return samples_.empty(); }
     std::size_t refused() const { return refused_; }
 

@@ -13,6 +13,11 @@ void PoseHistory::add(const TimedPose& sample) {
     samples_.push_back(sample);
 }
 
+void PoseHistory::forgetBefore(Timestamp time) {
+    if (samples_.empty() || samples_[samples_.size() / 2].time >= time) return;
+    std::erase_if(samples_, [time](const TimedPose& sample) { return sample.time < time; });
+}
+
 std::optional<Pose> PoseHistory::at(Timestamp time, double max_gap_s) const {
     if (samples_.empty()) return Pose{};
     const auto after = std::lower_bound(samples_.begin(), samples_.end(), time,

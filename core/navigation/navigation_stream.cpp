@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t longest_line = 1024;         // ten times what the standard allows
 constexpr Microseconds longest_bridge{2'000'000};  // between neighbours that are interpolated; longer is a gap
+constexpr Microseconds kept_poses{600'000'000};    // far more than a ping ever waits for one
 constexpr Microseconds longest_wait{10'000'000};   // of a heading for a position, or the other way round
 
 LocalPosition blend(const LocalPosition& a, const LocalPosition& b, double u) {
@@ -193,6 +194,7 @@ void NavigationStream::emitCovered() {
         poses_.add({time, {place.north_m, place.east_m, blend(h0.heading, h1.heading, u)}});
         reached_ = time;
     }
+    if (reached_) poses_.forgetBefore(*reached_ - kept_poses);
     // Where one series stands still, the other waits for it, but not for ever.
     prune(headings_, std::max(until, headings_.back().time - longest_wait));
     if (!positions_.empty()) prune(positions_, std::max(until, positions_.back().time - longest_wait));

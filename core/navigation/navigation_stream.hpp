@@ -32,7 +32,8 @@ struct NavigationStatus {
 /// VBW, whichever came first) carry it on where fixes are missing for longer than 2 s; a first fix is laid where the
 /// reckoning has come to, so that nothing jumps. With headings alone the place stays (0, 0).
 /// A sentence's time is that of its TAG block, or else of the read that brought its end.
-/// The same bytes and times give the same poses. State: an unfinished line, the last readings, all poses.
+/// The same bytes and times give the same poses. State: an unfinished line, the last readings, the poses
+/// of the last ten minutes: a run may last for days.
 class NavigationStream {
 public:
     void take(Timestamp arrival, std::span<const std::uint8_t> bytes);

@@ -40,6 +40,17 @@ TEST(PoseHistory, IsNotChangedByASampleThatComesLaterThanTheGap) {
     EXPECT_EQ(history.at(at(0.2), 0.3), early);
 }
 
+TEST(PoseHistory, ForgetsWhatIsOldInTime) {
+    PoseHistory history;
+    for (int i = 0; i < 1000; ++i) {
+        history.add({at(i), {1.0 * i, 0, {}}});
+        history.forgetBefore(at(i - 100));
+        EXPECT_TRUE(history.at(at(std::max(0, i - 100)), 0.3));
+    }
+    EXPECT_FALSE(history.at(at(700), 0.3));
+    EXPECT_EQ(history.at(at(950), 0.3)->north_m, 950.0);
+}
+
 TEST(PoseHistory, RefusesSamplesOutOfOrder) {
     PoseHistory history;
     history.add({at(1), {1, 0, {}}});

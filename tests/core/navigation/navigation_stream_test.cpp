@@ -40,6 +40,12 @@ TEST_F(Stream, HeadingsAloneTurnTheVehicleWhereItStands) {
     EXPECT_EQ(stream_.status().position_kind, "");
 }
 
+TEST_F(Stream, OfALongRunOnlyTheLastPosesAreKept) {
+    for (int i = 0; i < 3000; ++i) say(1.0 * i, "HEHDT,010.0,T");
+    EXPECT_FALSE(stream_.poses().at(start, 0.5));
+    EXPECT_NEAR(at(2400.0).heading.inDegrees(), 10.0, 1e-9);
+}
+
 TEST_F(Stream, ATrueHeadingTakesOverFromAMagneticOne) {
     say(0.0, "HCHDG,100.0,,,,");
     EXPECT_EQ(stream_.status().heading_kind, "HDG, magnetic");
