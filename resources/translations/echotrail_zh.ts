@@ -72,10 +72,6 @@
         <translation>剩余 %1</translation>
     </message>
     <message>
-        <source>Disk full</source>
-        <translation>磁盘已满</translation>
-    </message>
-    <message>
         <source>Disk nearly full</source>
         <translation>磁盘将满</translation>
     </message>

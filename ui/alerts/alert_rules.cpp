@@ -84,10 +84,8 @@ void AlertRules::addRecording(const LiveStatus& run, std::vector<Situation>& sit
     const bool full = recorder.disk == DiskState::Full || minutes.value_or(disk_alarm_min) < disk_alarm_min;
     const bool low = recorder.disk == DiskState::Low || minutes.value_or(disk_caution_min) < disk_caution_min;
     if (!full && !low) return;
-    const QString free =
-        tr("%1 free").arg(Formatter::withUnit(static_cast<double>(recorder.free_bytes) / 1e9, 1, "GB"));
-    situations.push_back({"disk", full ? AlertPriority::Alarm : AlertPriority::Caution,
-                          full ? tr("Disk full") : tr("Disk nearly full"),
+    const QString free = tr("%1 free").arg(Formatter::bytes(recorder.free_bytes));
+    situations.push_back({"disk", full ? AlertPriority::Alarm : AlertPriority::Caution, tr("Disk nearly full"),
                           minutes ? free + " · " + tr("room for %1 min").arg(Formatter::number(*minutes, 0)) : free});
 }
 

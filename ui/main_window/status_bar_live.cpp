@@ -24,9 +24,6 @@ QString copyText(const RecordingCopy& copy) {
 
 QString ageText(const std::optional<double>& age_s) { return age_s ? Formatter::age(*age_s) : QString(); }
 
-QString megabytes(std::uint64_t bytes) { return Formatter::withUnit(static_cast<double>(bytes) / 1e6, 1, "MB"); }
-QString gigabytes(std::uint64_t bytes) { return Formatter::withUnit(static_cast<double>(bytes) / 1e9, 1, "GB"); }
-
 }  // namespace
 
 void StatusBar::showLive(const LiveState& state, double longest_heading_gap_s) {
@@ -132,9 +129,9 @@ void StatusBar::showRecording(const RecorderStatus& recorder, const std::optiona
     if (!recorder.recording) return recording_->show(Health::Absent, tr("off"));
     const bool room = recorder.disk == DiskState::Good;
     const bool copied = !copy || copy->error.isEmpty();
-    const QString free = tr("%1 free").arg(gigabytes(recorder.free_bytes));
+    const QString free = tr("%1 free").arg(Formatter::bytes(recorder.free_bytes));
     const QString of_copy = copy ? copyText(*copy) : QString();  // in place of what is good: there is little room
-    recording_->show(room && copied ? Health::Good : Health::Degraded, megabytes(recorder.bytes),
+    recording_->show(room && copied ? Health::Good : Health::Degraded, Formatter::bytes(recorder.bytes),
                      !room               ? tr("disk nearly full: %1").arg(free)
                      : of_copy.isEmpty() ? free
                                          : of_copy);

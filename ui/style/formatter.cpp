@@ -85,6 +85,11 @@ QString Formatter::bearingMark(int degrees_from_bow) {
     return sign + QString("%1").arg(std::abs(degrees_from_bow), 2, 10, QChar('0')) + QChar(0xb0);
 }
 
+QString Formatter::bytes(std::uint64_t number) {
+    const double megabytes = static_cast<double>(number) / 1e6;
+    return megabytes < 1000.0 ? withUnit(megabytes, 1, "MB") : withUnit(megabytes / 1000.0, 1, "GB");
+}
+
 QString Formatter::age(double seconds) { return withUnit(seconds, 1, "s"); }
 
 QString Formatter::speed(double metres_per_second) { return withUnit(metres_per_second, 2, "m/s"); }

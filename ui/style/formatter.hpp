@@ -26,6 +26,8 @@ public:
     static QString longitude(double radians);
     /// "12.5 dB"; the unit is left out where the value is unknown.
     static QString withUnit(double value, int decimals, const QString& unit);
+    /// In MB, from 1 GB on in GB.
+    static QString bytes(std::uint64_t number);
     /// "12 480"
     static QString count(std::uint64_t value);
     /// "21.1 m"; two decimals below 10 m.

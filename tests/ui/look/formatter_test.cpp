@@ -13,6 +13,8 @@ TEST(Formatter, UsesATrueMinusAndThinGroups) {
     EXPECT_EQ(Formatter::number(-1184.25, 2), QString::fromUtf8("\u22121\u2009184.25"));
     EXPECT_EQ(Formatter::count(1234567), QString::fromUtf8("1\u2009234\u2009567"));
     EXPECT_EQ(Formatter::count(999), "999");
+    EXPECT_EQ(Formatter::bytes(64'000'000), "64.0 MB");
+    EXPECT_EQ(Formatter::bytes(1'940'000'000), "1.9 GB");
     EXPECT_EQ(Formatter::number(-0.04, 1), "0.0") << "no side where there is none";
 }
 

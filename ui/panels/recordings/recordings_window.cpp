@@ -16,8 +16,6 @@ namespace {
 
 constexpr int look_ms = 5'000;  // recordings grow, and new ones come
 
-QString megabytes(quint64 bytes) { return Formatter::withUnit(static_cast<double>(bytes) / 1e6, 1, "MB"); }
-
 QLabel* wrapped(QWidget* parent) {
     auto* label = new QLabel(parent);
     label->setObjectName("dim");
@@ -116,7 +114,7 @@ void RecordingsWindow::showList(const QList<RecordingAboard>& recordings) {
     const QString before = chosen();
     list_->clear();
     for (const RecordingAboard& each : recordings) {
-        auto* item = new QTreeWidgetItem(list_, {each.name, megabytes(each.bytes),
+        auto* item = new QTreeWidgetItem(list_, {each.name, Formatter::bytes(each.bytes),
                                                  each.written ? tr("being written") : Formatter::utc(each.changed)});
         item->setData(0, Qt::UserRole, each.name);
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
@@ -136,7 +134,7 @@ void RecordingsWindow::showFetch(const std::optional<RecordingCopy>& fetched) {
     bar_->setValue(static_cast<int>(steps * fetched->rows / std::max<qint64>(fetched->there, 1)));
     told_->setText(tr("%1: %2 of %3 rows, %4 came")
                        .arg(fetched->name, Formatter::count(static_cast<std::uint64_t>(fetched->rows)),
-                            Formatter::count(static_cast<std::uint64_t>(fetched->there)), megabytes(fetched->bytes)));
+                            Formatter::count(static_cast<std::uint64_t>(fetched->there)), Formatter::bytes(fetched->bytes)));
 }
 
 QString RecordingsWindow::progress() const { return told_->text(); }
