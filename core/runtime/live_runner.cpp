@@ -150,8 +150,8 @@ void LiveRunner::process(const Ping& ping) {
         sector_ = pipeline_.sector();
     }
     last_ping_ = ping;
+    tell(last_update_, pipeline_.settledUntil());  // before the picture: that takes milliseconds at a sweep's end
     builder_.add(last_ping_, last_update_, took_s, pipeline_);
-    tell(last_update_, pipeline_.settledUntil());
     if (!scenes_.empty()) return;  // nobody has looked at the last one yet
     Scene scene = builder_.build(pipeline_, last_ping_, last_update_);
     scene.position = taken_;
