@@ -29,6 +29,12 @@ struct Span {
     Json json() const { return least > most ? Json(nullptr) : Json{least, most}; }
 };
 
+/// A text in a record that may hold anything.
+std::string textIn(const Json& record, const char* name, const char* otherwise) {
+    const auto found = record.find(name);
+    return found != record.end() && found->is_string() ? found->get<std::string>() : otherwise;
+}
+
 /// What the tracker's results in a log of our own tell of looks: how many, and why some used no echo. Nothing where
 /// there are none. Looks of tracks that were never confirmed do not count.
 Json describeLooks(const std::string& path) {
@@ -39,9 +45,10 @@ Json describeLooks(const std::string& path) {
     while (const auto result = (*log)->nextResult()) {
         if (result->kind != UpdateKind::Track) continue;
         const Json look = Json::parse(result->text, nullptr, false);
-        if (!look.is_object() || look.value("state", "tentative") == "tentative") continue;
+        if (!look.is_object() || textIn(look, "state", "tentative") == "tentative") continue;
         ++looks;
-        if (!look.value("seen", true)) ++causes[look.value("cause", "not told")];
+        const auto seen = look.find("seen");
+        if (seen != look.end() && *seen == false) ++causes[textIn(look, "cause", "not told")];
     }
     if (looks == 0) return nullptr;
     return {{"looks", looks}, {"without_echo", causes}};

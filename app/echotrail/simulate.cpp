@@ -13,7 +13,6 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-
 #include <opencv2/core/utility.hpp>
 
 #include <QCoreApplication>
@@ -98,8 +97,7 @@ std::string pursuitTitle(const Scenario& scenario, std::uint64_t seed) {
 
 void sample(SimulatedDevice& device, PursuitRecord& record) {
     const PursuingVehicle* vehicle = device.pursuer();
-    if (const auto time_s = device.scenarioTime())
-        record.take(device.scenario(), *time_s, vehicle->validReports() > 0);
+    if (const auto time_s = device.scenarioTime()) record.take(device.scenario(), *time_s, vehicle->validReports() > 0);
 }
 
 /// Acts as a head, and its vehicle's navigation, until it is told to end.
@@ -196,15 +194,26 @@ ExitCode pursue(const SimulateArguments& arguments, Scenario scenario) {
     return written ? ExitCode::Done : fail(ExitCode::Failed, written.error());
 }
 
+/// What was given and would have no effect.
+std::string idleOption(const SimulateArguments& arguments) {
+    const bool follows = arguments.pursue || !arguments.follow_report.empty();
+    if (arguments.pursue && !arguments.serve_sonar.empty()) return "--pursue has its own head: leave --serve-sonar out";
+    if (!arguments.settings.empty() && !arguments.pursue) return "--set is for the tracker of --pursue";
+    if (!follows && !arguments.vehicle_settings.empty()) return "--vehicle is for --pursue or --follow-report";
+    if (!follows && !arguments.pursuit.paths.empty()) return "--paths is for --pursue or --follow-report";
+    if (!follows && !arguments.pursuit.picture.empty()) return "--picture is for --pursue or --follow-report";
+    return {};
+}
+
 ExitCode simulate(const SimulateArguments& arguments) {
     if (arguments.list) return list();
     if (arguments.scenario.empty())
         return fail(ExitCode::Usage, "name a scenario; echotrail simulate --list shows them all");
     if (arguments.log.empty() && arguments.serve_sonar.empty() && arguments.truth.empty() && !arguments.pursue)
-        return fail(ExitCode::Usage,
-                    "nothing to do: give --log LOG, --truth FILE, --serve-sonar ADDRESS or --pursue");
+        return fail(ExitCode::Usage, "nothing to do: give --log LOG, --truth FILE, --serve-sonar ADDRESS or --pursue");
     if (!arguments.follow_report.empty() && arguments.serve_sonar.empty())
         return fail(ExitCode::Usage, "--follow-report: the vehicle carries the head of --serve-sonar; give both");
+    if (const std::string idle = idleOption(arguments); !idle.empty()) return fail(ExitCode::Usage, idle);
     const auto source = openSimulation(arguments.scenario, arguments.seed);
     if (!source) return fail(ExitCode::Usage, source.error());
     if (!arguments.truth.empty())

@@ -22,7 +22,7 @@ void LinkServer::receivedDatagram(std::uint32_t console, Timestamp now, std::spa
 void LinkServer::stream(LinkSession& session, SendQueue::Lane lane, const SendQueue::Frame& frame, Timestamp now) {
     if (!frame || session.closing || !session.welcomed || session.needs_snapshot) return;
     if (!session.usesDatagrams(now) || !DatagramWay::fits(frame)) return send(session, lane, frame, now);
-    if (!SendQueue::allows(lane, session.datagrams.level())) return;
+    if (!SendQueue::allows(lane, session.datagrams.level())) return session.queue.leaveOut();
     if (session.queue.spend(frame->size(), now))
         session.datagrams.add(frame);
     else

@@ -40,6 +40,8 @@ public:
 
     /// So much goes another way, within the same limit. False: it has to stay behind.
     bool spend(std::size_t bytes, Timestamp now);
+    /// Something that was to go another way stays behind; it counts, too.
+    void leaveOut() { ++counts_.left_out; }
     /// Whether a level lets this lane through.
     static bool allows(Lane lane, Level level);
 

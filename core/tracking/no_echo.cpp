@@ -1,7 +1,9 @@
 #include "core/tracking/gate.hpp"
 #include "core/tracking/tracker.hpp"
 
-// Why a look used no echo: for the log, and for whoever asks why a target was lost.
+#include <cmath>
+
+// Looks as they are told, and why one used no echo: for the log, and for whoever asks why a target was lost.
 namespace echotrail {
 
 NoEcho Tracker::whyNoEcho(const FollowedTrack& followed, Timestamp time, const std::vector<std::size_t>& regions,
@@ -29,6 +31,23 @@ NoEcho Tracker::whyNotScanned(const FollowedTrack& followed) const {
     const auto& history = followed.track.history;
     if (!history.empty() && !history.back().seen) return history.back().no_echo;  // it did come by, in vain
     return followed.quiet_sweeps > 1 ? NoEcho::OutsideSector : NoEcho::NotYetScanned;
+}
+
+TrackLook Tracker::lookOf(const FollowedTrack& followed, Timestamp time, NoEcho cause, const Pose& head) const {
+    const Track& track = followed.track;
+    const Eigen::Vector2d position = track.estimate.mean.head<2>();
+    const double north = position.x() - head.north_m, east = position.y() - head.east_m;
+    return {.time = time,
+            .track = track.id,
+            .state = track.state,
+            .target = track.target,
+            .seen = cause == NoEcho::None,
+            .no_echo = cause,
+            .range_m = std::hypot(north, east),
+            .bearing = Bearing::radians(std::atan2(east, north) - head.heading.inRadians()),
+            .position_m = position,
+            .velocity_mps = track.estimate.mean.tail<2>(),
+            .covariance_m2 = track.estimate.covariance.topLeftCorner<2, 2>()};
 }
 
 }  // namespace echotrail

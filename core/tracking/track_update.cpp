@@ -382,21 +382,4 @@ void Tracker::searchAgain(FollowedTrack& followed, LookResult result, Timestamp 
     reacquire(followed.track, time);
 }
 
-TrackLook Tracker::lookOf(const FollowedTrack& followed, Timestamp time, NoEcho cause, const Pose& head) const {
-    const Track& track = followed.track;
-    const Eigen::Vector2d position = track.estimate.mean.head<2>();
-    const double north = position.x() - head.north_m, east = position.y() - head.east_m;
-    return {.time = time,
-            .track = track.id,
-            .state = track.state,
-            .target = track.target,
-            .seen = cause == NoEcho::None,
-            .no_echo = cause,
-            .range_m = std::hypot(north, east),
-            .bearing = Bearing::radians(std::atan2(east, north) - head.heading.inRadians()),
-            .position_m = position,
-            .velocity_mps = track.estimate.mean.tail<2>(),
-            .covariance_m2 = track.estimate.covariance.topLeftCorner<2, 2>()};
-}
-
 }  // namespace echotrail

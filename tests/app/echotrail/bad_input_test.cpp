@@ -1,3 +1,4 @@
+#include "core/recording/log_writer.hpp"
 #include "program.hpp"
 
 #include <gtest/gtest.h>
@@ -25,6 +26,24 @@ protected:
     std::string log_, stream_;
     ScratchFolder folder_;
 };
+
+TEST(BadInput, ResultsOfOtherTypesThanTheyShouldBeAreLookedAtWithoutHarm) {
+    const ScratchFolder folder;
+    const std::string path = folder.path("odd.echotrail");
+    {
+        const auto log = LogWriter::create(path, {.started = Timestamp(Microseconds(1))});
+        ASSERT_TRUE(log) << log.error();
+        for (const char* text : {R"({"state": 7, "seen": false})", R"({"state": "confirmed", "seen": "no"})",
+                                 R"({"state": "confirmed", "seen": false, "cause": [1]})", "[]", "{", ""})
+            ASSERT_TRUE((*log)->addUpdate(UpdateKind::Track, Timestamp(Microseconds(2)), text));
+        ASSERT_TRUE((*log)->close());
+    }
+    const Outcome info = run({"info", path, "--json"});
+    EXPECT_EQ(info.exit_code, 0) << info.errors;
+    const auto tracks = nlohmann::json::parse(info.output)["tracks"];
+    EXPECT_EQ(tracks["looks"], 2);
+    EXPECT_EQ(tracks["without_echo"], (nlohmann::json{{"not told", 1}}));
+}
 
 TEST(BadInput, WhatIsNoRecordingIsExitCodeOneWithOneLine) {
     const ScratchFolder folder;

@@ -47,7 +47,12 @@ TEST(Usage, WrongCommandLinesAreExitCodeTwoWithOneLine) {
         {"replay", "tcp://localhost:4001"},
         {"replay", "simulation://nowhere"},
         {"replay", "simulation://deep?speed=3"},
-        {"info", "simulation://deep?seed=three"}};
+        {"info", "simulation://deep?seed=three"},
+        {"simulate", "demo", "--truth", folder.path("t.csv"), "--set", "follow_target=true"},
+        {"simulate", "demo", "--truth", folder.path("t.csv"), "--vehicle", "keep_range_m=15"},
+        {"simulate", "demo", "--truth", folder.path("t.csv"), "--picture", folder.path("p.svg")},
+        {"simulate", "demo", "--truth", folder.path("t.csv"), "--paths", folder.path("p.csv")},
+        {"simulate", "demo", "--pursue", "--serve-sonar", "tcp://127.0.0.1:0"}};
     for (const auto& arguments : wrong) {
         const Outcome outcome = run(arguments);
         std::string line;
