@@ -19,6 +19,7 @@ public:
 
     void start() override;
     std::optional<Scene> takeScene() override { return runner_.scenes().take(); }
+    std::optional<Timeline> takeTimeline() override { return runner_.timelines().take(); }
     LiveState state() const override;
     void setParams(const LiveRunner::Params& params) override;
     void designate(double range_m, Bearing from_bow) override { runner_.designate(range_m, from_bow); }

@@ -105,6 +105,7 @@ void TrackerLink::converse() {
         reopen_->start(reopen_ms);
     }
     if (remote_.changed() && scenes_.empty()) scenes_.put(remote_.build(enhanced_));
+    if (timeline_.changed() && timelines_.empty()) timelines_.put(timeline_.summary());
     publish();
 }
 
@@ -112,6 +113,8 @@ void TrackerLink::takeEvents() {
     while (const auto event = client_.next()) {
         if (takeRecordEvent(*event)) continue;
         remote_.take(*event);
+        if (std::holds_alternative<LinkBeam>(*event))
+            timeline_.see(*remote_.lastPing(), remote_.sweep(), remote_.follows());
         if (std::holds_alternative<LinkWelcome>(*event)) {
             takeJoin();
             openDatagrams();

@@ -6,6 +6,7 @@
 #include "core/link/link_client.hpp"
 #include "core/runtime/latest.hpp"
 #include "core/runtime/remote_scene.hpp"
+#include "core/runtime/run_timeline.hpp"
 
 #include <QObject>
 #include <QThread>
@@ -76,6 +77,7 @@ public:
 
     // From any thread
     Latest<Scene>& scenes() { return scenes_; }
+    Latest<Timeline>& timelines() { return timelines_; }
     void setEnhanced(bool on) { enhanced_ = on; }
     TrackerLinkState state() const;
     /// Parameters in force at the tracker, where they have changed or differ from what was asked for.
@@ -111,6 +113,7 @@ private:
     std::unique_ptr<ByteChannel> channel_;
     LinkClient client_;
     RemoteScene remote_;
+    RunTimeline timeline_;
     QTimer* tick_ = nullptr;
     QTimer* reopen_ = nullptr;  ///< runs while a connection that was given up here waits to be made again
     bool wanted_ = false;
@@ -138,6 +141,7 @@ private:
 
     const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
     Latest<Scene> scenes_;
+    Latest<Timeline> timelines_;
     std::atomic<bool> enhanced_ = false;
 
     mutable std::mutex mutex_;

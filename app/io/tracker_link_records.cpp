@@ -92,6 +92,7 @@ bool TrackerLink::takeRecordEvent(const LinkEvent& event) {
     }
     if (const auto* rows = std::get_if<LinkRows>(&event)) {
         const Asked asked = keeperOf(rows->request);
+        if (asked.keeper && asked.keeper == keeper_.get()) timeline_.recall(rows->rows);
         const Microseconds beyond = now() - asked.since - client_.quickestRoundTrip().value_or(Microseconds{0});
         if (RecordKeeper* keeper = asked.keeper)
             QMetaObject::invokeMethod(keeper, [keeper, beyond, what = *rows] { keeper->takeRows(what, beyond); });

@@ -37,4 +37,15 @@ std::string regionText(const Region& region) {
         .dump();
 }
 
+std::optional<LookState> lookStateFrom(std::string_view text) {
+    const auto look = nlohmann::json::parse(text, nullptr, false);
+    if (!look.is_object()) return std::nullopt;
+    const auto track = look.find("track"), state = look.find("state");
+    if (track == look.end() || !track->is_number_integer() || state == look.end() || !state->is_string())
+        return std::nullopt;
+    for (const TrackState each : {TrackState::Tentative, TrackState::Confirmed, TrackState::Coasting, TrackState::Lost})
+        if (state->get_ref<const std::string&>() == toText(each)) return LookState{track->get<int>(), each};
+    return std::nullopt;
+}
+
 }  // namespace echotrail

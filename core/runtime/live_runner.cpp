@@ -78,8 +78,7 @@ void LiveRunner::designate(double range_m, Bearing from_bow) {
 void LiveRunner::clearDesignation() { post(EventKind::Designation, {}); }
 
 void LiveRunner::drop(int track, double range_m, Bearing from_bow) {
-    const RunControl wanted{
-        .kind = RunControl::Kind::Drop, .range_m = range_m, .from_bow = from_bow, .track = track};
+    const RunControl wanted{.kind = RunControl::Kind::Drop, .range_m = range_m, .from_bow = from_bow, .track = track};
     post(EventKind::Drop, bytesOf(dropText(wanted)));
 }
 
@@ -152,8 +151,11 @@ void LiveRunner::process(const Ping& ping) {
     last_ping_ = ping;
     tell(last_update_, pipeline_.settledUntil());  // before the picture: that takes milliseconds at a sweep's end
     builder_.add(last_ping_, last_update_, took_s, pipeline_);
+    run_timeline_.see(ping.time, last_update_.sweep, follows_);
+    if (run_timeline_.changed() && timelines_.empty()) timelines_.put(run_timeline_.summary());
     if (!scenes_.empty()) return;  // nobody has looked at the last one yet
     Scene scene = builder_.build(pipeline_, last_ping_, last_update_);
+    follows_ = anyFollowed(scene.tracks);
     scene.position = taken_;
     scene.counts = feed_.counts();
     scene.navigation_known = !feed_.navigation().empty();

@@ -6,6 +6,7 @@
 #include "core/runtime/bounded_queue.hpp"
 #include "core/runtime/latest.hpp"
 #include "core/runtime/recorder.hpp"
+#include "core/runtime/run_timeline.hpp"
 #include "core/runtime/scene_builder.hpp"
 
 #include <atomic>
@@ -78,6 +79,7 @@ public:
     void closeLog();
 
     Latest<Scene>& scenes() { return scenes_; }
+    Latest<Timeline>& timelines() { return timelines_; }
     LiveStatus status() const;
     /// What the head is to scan, where it follows the target (ScanningSonarPipeline::sector()), as of the last ping;
     /// nothing where it is to scan the sector of the parameters. From any thread.
@@ -119,6 +121,8 @@ private:
     ScanningSonarPipeline pipeline_;
     PingFeed feed_;
     SceneBuilder builder_;
+    RunTimeline run_timeline_;
+    bool follows_ = false;  ///< as of the last scene
     Ping last_ping_;
     Update last_update_;
     double processing_s_ = 0.0;
@@ -131,6 +135,7 @@ private:
     LiveStatus status_;
     std::optional<ScanSector> sector_;
     Latest<Scene> scenes_;
+    Latest<Timeline> timelines_;
     std::jthread thread_;  // last, so that it ends before what it uses
 };
 

@@ -2,6 +2,9 @@
 
 #include "core/imaging/local_enhancement.hpp"
 #include "core/imaging/ray.hpp"
+#include "core/runtime/timeline.hpp"
+
+#include <algorithm>
 
 namespace echotrail {
 namespace {
@@ -83,6 +86,10 @@ void RemoteScene::takeParameters(const LinkParameters& parameters) {
 std::optional<Timestamp> RemoteScene::lastPing() const {
     if (!has_beam_) return std::nullopt;
     return beam_.ping.time;
+}
+
+bool RemoteScene::follows() const {
+    return std::any_of(tracks_.begin(), tracks_.end(), [](const auto& each) { return isFollowed(each.second.state); });
 }
 
 Scene RemoteScene::build(bool enhanced) {

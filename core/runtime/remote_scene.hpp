@@ -30,6 +30,8 @@ public:
     const std::vector<std::string>& passedOver() const { return passed_over_; }
     const LinkHealth& health() const { return health_; }
     std::optional<Timestamp> lastPing() const;
+    std::uint64_t sweep() const { return beam_.update.sweep; }  ///< of the last ping
+    bool follows() const;                                       ///< at least one track is confirmed or coasting
 
 private:
     void takeSnapshot(const LinkSnapshot& snapshot);

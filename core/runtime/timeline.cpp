@@ -35,20 +35,22 @@ std::vector<PingSpan> findGaps(const std::vector<Timestamp>& times) {
     return gaps;
 }
 
+bool isFollowed(TrackState state) { return state == TrackState::Confirmed || state == TrackState::Coasting; }
+
 bool anyFollowed(const std::vector<Track>& tracks) {
-    return std::any_of(tracks.begin(), tracks.end(), [](const Track& track) {
-        return track.state == TrackState::Confirmed || track.state == TrackState::Coasting;
-    });
+    return std::any_of(tracks.begin(), tracks.end(), [](const Track& track) { return isFollowed(track.state); });
+}
+
+void extendSpans(std::vector<PingSpan>& spans, std::uint64_t index) {
+    if (!spans.empty() && spans.back().end == index)
+        spans.back().end = index + 1;
+    else
+        spans.push_back({index, index + 1});
 }
 
 void extendTimeline(Timeline& timeline, std::uint64_t index, bool sweep_began, bool followed) {
     if (sweep_began) timeline.sweep_starts.push_back(index);
-    if (followed) {
-        if (!timeline.confirmed.empty() && timeline.confirmed.back().end == index)
-            timeline.confirmed.back().end = index + 1;
-        else
-            timeline.confirmed.push_back({index, index + 1});
-    }
+    if (followed) extendSpans(timeline.confirmed, index);
     timeline.analysed = index + 1;
 }
 

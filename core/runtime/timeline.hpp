@@ -22,6 +22,7 @@ struct Timeline {
     std::vector<PingSpan> gaps;               ///< begin: the last ping before a silence; end: the first after it
     std::vector<std::uint64_t> sweep_starts;  ///< indices of pings that began a new sweep
     std::vector<PingSpan> confirmed;          ///< while at least one track was confirmed or coasting
+    std::vector<PingSpan> recalled;           ///< of a run that lasts: not seen here, but in its recording
     std::uint64_t analysed = 0;               ///< pings run through the pipeline for this summary
     std::uint64_t revision = 0;               ///< of the parameters it was made with
 
@@ -36,8 +37,12 @@ struct Timeline {
 /// Silences between pings: longer than a second and than ten times the median interval.
 std::vector<PingSpan> findGaps(const std::vector<Timestamp>& times);
 
-/// Whether at least one of them is confirmed or coasting.
+/// Whether a track in this state is confirmed or coasting; and whether at least one of several is.
+bool isFollowed(TrackState state);
 bool anyFollowed(const std::vector<Track>& tracks);
+
+/// Adds the ping with this index, which is not before the last one there.
+void extendSpans(std::vector<PingSpan>& spans, std::uint64_t index);
 
 /// Notes in `timeline` what the ping with this index brought about.
 void extendTimeline(Timeline& timeline, std::uint64_t index, bool sweep_began, bool followed);

@@ -3003,6 +3003,18 @@ is taken to lie still, bow north</source>
         <source>ping %1</source>
         <translation>ping %1</translation>
     </message>
+    <message>
+        <source>fetched</source>
+        <translation>已取回</translation>
+    </message>
+    <message>
+        <source>Nothing came here then.</source>
+        <translation>当时这里未收到任何数据。</translation>
+    </message>
+    <message>
+        <source>Not seen here then; fetched into the copy of the recording.</source>
+        <translation>当时这里未看到；已取回到记录副本中。</translation>
+    </message>
 </context>
 <context>
     <name>echotrail::TourPanel</name>
@@ -3270,6 +3282,10 @@ is taken to lie still, bow north</source>
     <message>
         <source>End loop</source>
         <translation>结束循环</translation>
+    </message>
+    <message>
+        <source>live; it can be replayed afterwards</source>
+        <translation>实时；结束后可回放</translation>
     </message>
 </context>
 </TS>

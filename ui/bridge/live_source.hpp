@@ -97,6 +97,8 @@ public:
     /// Once, first: opens the links, which no one else may hold then.
     virtual void start() = 0;
     virtual std::optional<Scene> takeScene() = 0;
+    /// The run so far, where there is more of it than at the last call.
+    virtual std::optional<Timeline> takeTimeline() { return std::nullopt; }
     virtual LiveState state() const = 0;
     /// The head's settings among them are told to the head.
     virtual void setParams(const LiveRunner::Params& params) = 0;

@@ -211,6 +211,10 @@ void PipelineBridge::pollLive() {
     while (const auto notice = live_->takeNotice()) Q_EMIT noticed(notice->text, notice->ok);
     if (live_told_.isValid() && live_told_.elapsed() < live_state_interval_ms) return;
     live_told_.start();
+    if (auto timeline = live_->takeTimeline()) {
+        timeline_ = std::move(*timeline);
+        Q_EMIT timelineChanged(timeline_);
+    }
     live_state_ = live_->state();
     Q_EMIT liveChanged(live_state_);
 }

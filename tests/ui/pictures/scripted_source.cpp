@@ -13,6 +13,8 @@ void ScriptedHead::goTo(double seconds) {
         ping_ = *std::move(next);
         latest_ = pipeline_.process(ping_, source_->navigation());
         builder_.add(ping_, latest_, 0.0, pipeline_);
+        if (!latest_.looks.empty()) follows_ = anyFollowed(pipeline_.tracks());
+        timeline_.see(ping_.time, latest_.sweep, follows_);
         ++pings_;
         sweeps_ += latest_.sweep_ended;
     }

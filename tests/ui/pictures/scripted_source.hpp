@@ -1,11 +1,14 @@
 #pragma once
 
 #include "core/pipelines/scanning_sonar_pipeline.hpp"
+#include "core/runtime/run_timeline.hpp"
 #include "core/runtime/scene_builder.hpp"
 #include "core/simulation/simulated_source.hpp"
 #include "ui/bridge/live_source.hpp"
 
 #include <functional>
+#include <optional>
+#include <utility>
 
 namespace echotrail::test {
 
@@ -21,11 +24,14 @@ public:
     Scene scene() const;
     /// As a head in good health has it: recorded, with a heading.
     LiveState state() const;
+    Timeline timeline() { return timeline_.summary(); }
 
 private:
     std::unique_ptr<SimulatedSource> source_;
     ScanningSonarPipeline pipeline_;
     SceneBuilder builder_;
+    RunTimeline timeline_;
+    bool follows_ = false;
     Update latest_;
     Ping ping_;
     std::uint64_t pings_ = 0;
@@ -37,11 +43,13 @@ class ScriptedSource : public LiveSource {
 public:
     struct Script {
         std::optional<Scene> scene;
+        std::optional<Timeline> timeline;
         LiveState state;
     };
     explicit ScriptedSource(Script& script) : script_(script) {}
     void start() override {}
     std::optional<Scene> takeScene() override { return std::exchange(script_.scene, std::nullopt); }
+    std::optional<Timeline> takeTimeline() override { return std::exchange(script_.timeline, std::nullopt); }
     LiveState state() const override { return script_.state; }
     void setParams(const LiveRunner::Params&) override {}
     void designate(double, Bearing) override {}

@@ -44,6 +44,7 @@ public:
         for (; at_s_ < seconds; at_s_ += step_s) {
             head_.goTo(at_s_);
             script_.scene = head_.scene();
+            script_.timeline = head_.timeline();
             tell(change);
         }
     }

@@ -2,6 +2,7 @@
 #include "ui/panels/transport/moment.hpp"
 #include "ui/panels/transport/timeline_view.hpp"
 #include "ui/panels/transport/transport_panel.hpp"
+#include "ui/style/palette.hpp"
 
 #include <gtest/gtest.h>
 
@@ -85,6 +86,53 @@ TEST_F(TimelineViewTest, TheTrackedLaneIsFilledOnlyWhereATrackWasConfirmed) {
     };
     EXPECT_NE(column(35), column(25));
     EXPECT_EQ(column(25), column(75));
+}
+
+TEST_F(TimelineViewTest, ARunThatLastsIsLookedAtOnly) {
+    std::vector<quint64> sought;
+    QObject::connect(&view_, &TimelineView::seekRequested, [&](quint64 position) { sought.push_back(position); });
+    view_.setLive(true);
+    QTest::mouseClick(&view_, Qt::LeftButton, {}, {static_cast<int>(view_.xOf(50)), 40});
+    EXPECT_TRUE(sought.empty());
+    view_.setLive(false);
+    QTest::mouseClick(&view_, Qt::LeftButton, {}, {static_cast<int>(view_.xOf(50)), 40});
+    EXPECT_EQ(sought.size(), 1U);
+}
+
+TEST_F(TimelineViewTest, WhileNothingComesTheLineGrowsOnBeyondItsLastPing) {
+    view_.setLive(true);
+    const double end = view_.xOf(101), middle = view_.xOf(50);
+    view_.setSilence(10.0);  // as long as all before
+    EXPECT_NEAR(view_.xOf(101) - view_.xOf(1), (end - view_.xOf(1)) / 2.0, 1.0);
+    EXPECT_LT(view_.xOf(50), middle);
+    const auto warned = [&] {
+        const QImage picture = view_.grab().toImage();
+        const QRgb warning = currentPalette().warning.rgb();
+        int pixels = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = static_cast<int>(view_.xOf(101)) + 5; x < picture.width(); ++x)
+                pixels += picture.pixel(x, y) == warning;
+        return pixels;
+    };
+    EXPECT_GT(warned(), 100);
+    view_.setSilence(0.0);
+    EXPECT_EQ(warned(), 0);
+    EXPECT_EQ(view_.xOf(101), end);
+}
+
+TEST_F(TimelineViewTest, WhatWasFetchedLooksOtherThanWhatWasSeenAndThanAGap) {
+    view_.setLive(true);
+    const QImage seen = view_.grab().toImage();
+    timeline_.recalled = {{50, 90}};
+    view_.setTimeline(timeline_);
+    const QImage fetched = view_.grab().toImage();
+    timeline_.gaps = {{50, 90}};
+    timeline_.recalled = {};
+    view_.setTimeline(timeline_);
+    const QImage missing = view_.grab().toImage();
+    EXPECT_NE(seen, fetched);
+    EXPECT_NE(seen, missing);
+    EXPECT_NE(fetched, missing);
 }
 
 TEST(TransportPanel, ShowsWhereReplayStandsAndSpeedsGoUpAndDown) {

@@ -63,6 +63,22 @@ void TimelineView::setLoop(std::optional<PingSpan> loop) {
     update();
 }
 
+void TimelineView::setLive(bool live) {
+    if (live == live_) return;
+    live_ = live;
+    silence_s_ = 0.0;
+    setCursor(live ? Qt::ArrowCursor : Qt::PointingHandCursor);
+    lanes_ = {};
+    update();
+}
+
+void TimelineView::setSilence(double seconds) {
+    if (seconds == silence_s_) return;
+    silence_s_ = seconds;
+    lanes_ = {};
+    update();
+}
+
 QSize TimelineView::sizeHint() const {
     const double lines = head_lines + lane_count * lane_lines + axis_lines;
     return {fontMetrics().averageCharWidth() * 60, static_cast<int>(lines * fontMetrics().height())};
@@ -78,7 +94,7 @@ QRectF TimelineView::lane(int number) const {
 }
 
 double TimelineView::lengthSeconds() const {
-    return ready() ? secondsBetween(timeline_.ping_times->front(), timeline_.ping_times->back()) : 0.0;
+    return ready() ? secondsBetween(timeline_.ping_times->front(), timeline_.ping_times->back()) + silence_s_ : 0.0;
 }
 
 double TimelineView::xOfTime(Timestamp time) const {
@@ -136,15 +152,30 @@ void TimelineView::paintTracked(QPainter& painter) const {
 }
 
 void TimelineView::paintGaps(QPainter& painter) const {
-    for (const PingSpan& gap : timeline_.gaps) {
-        const double left = xOf(gap.begin + 1);
-        const QRectF bar(left, lane(0).top(), std::max(3.0, xOf(gap.end + 1) - left),
+    const auto paint = [&](double left, double right) {
+        const QRectF bar(left, lane(0).top(), std::max(3.0, right - left),
                          lane(lane_count - 1).bottom() - lane(0).top());
         painter.fillRect(bar, currentPalette().field);
         painter.fillRect(bar, QBrush(currentPalette().warning, Qt::BDiagPattern));
         painter.setPen(QPen(currentPalette().warning, 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(bar.adjusted(0.5, 0.5, -0.5, -0.5));
+    };
+    for (const PingSpan& gap : timeline_.gaps) paint(xOf(gap.begin + 1), xOf(gap.end + 1));
+    if (silence_s_ > 0.0) paint(xOfTime(timeline_.ping_times->back()), lane(0).right());
+}
+
+/// Not seen here, but kept: framed, where a gap is hatched.
+void TimelineView::paintRecalled(QPainter& painter) const {
+    for (const PingSpan& span : timeline_.recalled) {
+        const double left = xOf(span.begin + 1);
+        const QRectF bar(left, lane(0).top(), std::max(3.0, xOf(span.end + 1) - left), lane(0).height());
+        painter.setPen(QPen(currentPalette().dim, 1.0, Qt::DashLine));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(bar.adjusted(0.5, 0.5, -0.5, -0.5));
+        const QString note = tr("fetched");
+        painter.setPen(currentPalette().dim);
+        if (bar.width() > 1.3 * fontMetrics().horizontalAdvance(note)) painter.drawText(bar, Qt::AlignCenter, note);
     }
 }
 
@@ -188,6 +219,7 @@ void TimelineView::paintLanes() {
     }
     paintSweeps(painter);
     paintTracked(painter);
+    paintRecalled(painter);
     paintGaps(painter);
     paintAxis(painter);
 }
@@ -237,7 +269,7 @@ void TimelineView::paintEvent(QPaintEvent*) {
 }
 
 void TimelineView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && ready()) Q_EMIT seekRequested(positionAt(event->position().x()));
+    if (event->button() == Qt::LeftButton && ready() && !live_) Q_EMIT seekRequested(positionAt(event->position().x()));
 }
 
 void TimelineView::mouseMoveEvent(QMouseEvent* event) {
@@ -245,13 +277,22 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event) {
     update();
     if (!ready()) return;
     const std::uint64_t position = positionAt(*pointer_x_);
-    if (event->buttons().testFlag(Qt::LeftButton)) Q_EMIT seekRequested(position);
+    if (event->buttons().testFlag(Qt::LeftButton) && !live_) Q_EMIT seekRequested(position);
+    QToolTip::showText(event->globalPosition().toPoint(), tipAt(position), this);
+}
+
+QString TimelineView::tipAt(std::uint64_t position) const {
     const auto& times = *timeline_.ping_times;
-    const Timestamp time = times[std::max<std::uint64_t>(position, 1) - 1];
-    QToolTip::showText(event->globalPosition().toPoint(),
-                       Formatter::utc(time) + "\n" + elapsedText(secondsBetween(times.front(), time)) + "  " +
-                           tr("ping %1").arg(position),
-                       this);
+    const std::uint64_t index = std::max<std::uint64_t>(position, 1) - 1;
+    const Timestamp time = times[index];
+    const QString moment = Formatter::utc(time) + "\n" + elapsedText(secondsBetween(times.front(), time));
+    if (!live_) return moment + "  " + tr("ping %1").arg(position);
+    const auto within = [&](const PingSpan& span) { return span.begin <= index && index < span.end; };
+    if (std::any_of(timeline_.gaps.begin(), timeline_.gaps.end(), within))
+        return moment + "\n" + tr("Nothing came here then.");
+    if (std::any_of(timeline_.recalled.begin(), timeline_.recalled.end(), within))
+        return moment + "\n" + tr("Not seen here then; fetched into the copy of the recording.");
+    return moment;
 }
 
 void TimelineView::leaveEvent(QEvent*) {

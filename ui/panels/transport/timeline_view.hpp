@@ -9,7 +9,8 @@
 namespace echotrail {
 
 /// The recording at a glance: sweeps, where a track was confirmed, silences, and where replay stands. Click or drag to
-/// go there. What does not move is painted once into a pixmap.
+/// go there, unless the run still lasts: then one sees when nothing came here, and what of that has been fetched since.
+/// What does not move is painted once into a pixmap.
 class TimelineView : public QWidget {
     Q_OBJECT
 
@@ -20,6 +21,10 @@ public:
     /// `goal` differs from `position` while a seek is under way.
     void setPosition(std::uint64_t position, std::uint64_t goal);
     void setLoop(std::optional<PingSpan> loop);
+    /// Of a run that lasts: one can look, but not go anywhere.
+    void setLive(bool live);
+    /// Of that run: nothing has come for so long.
+    void setSilence(double seconds);
 
     /// The number of pings taken in at the moment under this x; and back. Frames: widget pixels.
     std::uint64_t positionAt(double x) const;
@@ -50,6 +55,8 @@ private:
     void paintSweeps(QPainter& painter) const;
     void paintTracked(QPainter& painter) const;
     void paintGaps(QPainter& painter) const;
+    void paintRecalled(QPainter& painter) const;
+    QString tipAt(std::uint64_t position) const;
     void paintAxis(QPainter& painter) const;
     void paintLoop(QPainter& painter) const;
     void paintHead(QPainter& painter, std::uint64_t position, bool solid) const;
@@ -59,6 +66,8 @@ private:
     std::uint64_t goal_ = 0;
     std::optional<PingSpan> loop_;
     std::optional<double> pointer_x_;
+    bool live_ = false;
+    double silence_s_ = 0.0;
     QPixmap lanes_;
 };
 

@@ -18,6 +18,7 @@ namespace echotrail {
 namespace {
 
 constexpr qint64 long_way_ms = 250;
+constexpr double shortest_silence_s = 3.0;  ///< as between two pings of a run that lasts (RunTimeline)
 
 }  // namespace
 
@@ -47,10 +48,19 @@ TransportPanel::TransportPanel(PipelineBridge& bridge, QWidget* parent) : QWidge
     connect(&bridge_, &PipelineBridge::statusChanged, this, &TransportPanel::showStatus);
     connect(&bridge_, &PipelineBridge::timelineChanged, this, [this](const Timeline& timeline) {
         timeline_->setTimeline(timeline);
+        if (bridge_.isLive()) timeline_->setPosition(timeline.pings(), timeline.pings());
         showTimes(bridge_.status());
     });
-    connect(&bridge_, &PipelineBridge::opened, this, [this] { setLoop(std::nullopt); });
+    connect(&bridge_, &PipelineBridge::opened, this, [this] {
+        setLoop(std::nullopt);
+        timeline_->setLive(bridge_.isLive());
+    });
+    connect(&bridge_, &PipelineBridge::liveChanged, this, [this](const LiveState& state) {
+        const double silence_s = state.ping_age_s.value_or(0.0);
+        timeline_->setSilence(silence_s > shortest_silence_s ? silence_s : 0.0);
+    });
     connect(&bridge_, &PipelineBridge::closed, this, [this] {
+        timeline_->setLive(false);
         timeline_->setTimeline({});
         showStatus({});
     });
@@ -141,7 +151,7 @@ void TransportPanel::showStatus(const ReplayStatus& status) {
     go_to_->setEnabled(open);
     const bool playing = status.state == ReplayState::Playing;
     play_->setSign(playing ? TransportButton::Sign::Pause : TransportButton::Sign::Play);
-    timeline_->setPosition(status.position, status.goal);
+    if (!bridge_.isLive()) timeline_->setPosition(status.position, status.goal);
     // A step is over before it could be read: only a long way is spoken of.
     const bool on_the_way = open && status.goal != status.position;
     if (!on_the_way)
@@ -156,6 +166,8 @@ void TransportPanel::showStatus(const ReplayStatus& status) {
         busy_->setText(tr("working out the time line"));
     else if (open && status.state == ReplayState::Loading)
         busy_->setText(tr("reading: %1 pings").arg(Formatter::count(status.total)));
+    else if (bridge_.isLive())
+        busy_->setText(tr("live; it can be replayed afterwards"));
     else if (status.state == ReplayState::Ended)
         busy_->setText(tr("at the end; Space plays it again"));
     else
@@ -173,9 +185,11 @@ void TransportPanel::showTimes(const ReplayStatus& status) {
     }
     const auto& times = *timeline.ping_times;
     const double length = secondsBetween(times.front(), times.back());
-    const bool before = status.position == 0;
-    const Timestamp now = times[std::min<std::uint64_t>(std::max<std::uint64_t>(status.position, 1), times.size()) - 1];
+    const std::uint64_t position = bridge_.isLive() ? timeline.pings() : status.position;
+    const bool before = position == 0;
+    const Timestamp now = times[std::min<std::uint64_t>(std::max<std::uint64_t>(position, 1), times.size()) - 1];
     utc_->setText(before ? Formatter::unknown() : Formatter::utc(now));
+    if (bridge_.isLive()) return elapsed_->setText(elapsedText(length));
     elapsed_->setText(
         tr("%1 of %2")
             .arg(before ? Formatter::unknown() : elapsedText(secondsBetween(times.front(), now)), elapsedText(length)));
