@@ -57,7 +57,11 @@ struct PolarBox {
 struct ParticleCloud {
     std::vector<Eigen::Vector2f> position_m;  ///< north, east
     std::vector<float> weight;
-    double effective = 0.0;  ///< effective sample size 1 / sum of squared weights
+    double effective = 0.0;        ///< effective sample size 1 / sum of squared weights
+    std::size_t thinned_from = 0;  ///< particles there are, where a link has left some out; else 0
+
+    /// As the effective number counts them.
+    std::size_t size() const { return thinned_from > weight.size() ? thinned_from : weight.size(); }
 };
 
 /// One pass of the beam over a track's place: a line of the tracks file.

@@ -51,6 +51,7 @@ bool readCloud(const wire::Particles::Cloud& in, ParticleCloud& cloud) {
         cloud.weight.push_back(in.weight(i));
     }
     cloud.effective = in.effective();
+    if (in.size() > cloud.weight.size()) cloud.thinned_from = in.size();
     return true;
 }
 
@@ -188,6 +189,7 @@ void write(int track, const ParticleCloud& cloud, std::size_t most, wire::Partic
     for (std::size_t i = 0; i < size; i += stride) sum += static_cast<double>(cloud.weight[i]);
     out.set_track(track);
     out.set_effective(cloud.effective);
+    out.set_size(static_cast<std::uint32_t>(cloud.size()));
     if (!(sum > 0.0)) return;
     for (std::size_t i = 0; i < size; i += stride) {
         out.add_north_m(cloud.position_m[i].x());

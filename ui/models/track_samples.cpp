@@ -16,7 +16,7 @@ void TrackSamples::add(const Scene& scene) {
         // A track is born by its first echo, which had nothing to be compared with.
         if (track.looks < 2 || (!samples.empty() && samples.back().time >= track.last_seen)) continue;
         if (samples.size() == most_samples) samples.erase(samples.begin());
-        const auto particles = static_cast<double>(track.particles.weight.size());
+        const auto particles = static_cast<double>(track.particles.size());
         samples.push_back(
             {track.last_seen, track.score, track.nis, particles > 0.0 ? track.particles.effective / particles : 0.0});
     }

@@ -104,7 +104,7 @@ void FanPicture::paintInset(QPainter& painter, const QRectF& view, double top, c
     const QPointF name(box.x() + edge, box.y() + metrics.length(16.0));
     textWithHalo(painter, name, Formatter::trackId(track->id) + " ×4", palette.track, palette.halo);
     painter.setFont(metrics.sized(font, 10.0));
-    const std::size_t particles = track->particles.weight.size();
+    const std::size_t particles = track->particles.size();
     const QString effective =
         particles > 0 ? FanText::tr("ESS %1 / %2")
                             .arg(Formatter::number(track->particles.effective, 0), Formatter::count(particles))

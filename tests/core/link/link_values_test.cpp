@@ -141,6 +141,7 @@ TEST(LinkValues, ParticlesAreThinnedAndTheirWeightsAddUpToOne) {
     for (const float weight : cloud.weight) sum += static_cast<double>(weight);
     EXPECT_NEAR(sum, 1.0, 1e-5);
     EXPECT_EQ(cloud.effective, 800.0);
+    EXPECT_EQ(cloud.size(), sampleTrack().particles.size());  // of all: the effective number is of all, too
 }
 
 TEST(LinkValues, HealthComesThrough) {

@@ -184,7 +184,7 @@ void LayersPanel::setScene(const Scene& scene) {
     const auto dropped = std::count_if(scene.regions.begin(), scene.regions.end(), isDropped);
     std::size_t particles = 0;
     for (const Track& track : scene.tracks)
-        if (track.target || particles == 0) particles = track.particles.weight.size();
+        if (track.target || particles == 0) particles = track.particles.size();
     const auto count = [this](bool Layers::*layer, std::size_t number) {
         for (const LayerRow& row : layers_)
             if (row.layer == layer) row.count->setText(Formatter::count(number));

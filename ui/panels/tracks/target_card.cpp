@@ -210,7 +210,7 @@ void TargetCard::showFacts(const Track& track, const Scene& scene, const std::ve
                                                        .arg(samples.size())
                                                        .arg(TrackStrips::nis_limit));
     setLabelRole(*facts_[Consistency], track.nis > TrackStrips::nis_limit ? "refusal" : "fact");
-    const std::size_t particles = track.particles.weight.size();
+    const std::size_t particles = track.particles.size();
     facts_[Particles]->setText(
         particles > 0
             ? tr("%1 effective of %2").arg(Formatter::number(track.particles.effective, 0), Formatter::count(particles))
