@@ -48,6 +48,15 @@ TrackerState trackerState(const TrackerLinkState& state) {
     return tracker;
 }
 
+/// As old as the tracker last said: that it says so but once a second makes no heading older. When it has missed its
+/// turn, nobody knows that there is a newer one.
+std::optional<double> headingAge(const LinkHealth& health, double health_age_s) {
+    constexpr double its_turn_s = 2.0;
+    if (!health.heading_time) return std::nullopt;
+    const double then_s = std::max(0.0, secondsBetween(*health.heading_time, health.time));
+    return health_age_s > its_turn_s ? then_s + health_age_s : then_s;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<LiveSource>> RemoteConnection::make(const QString& address, bool record) {
@@ -136,7 +145,7 @@ LiveState RemoteConnection::state() const {
                     .run = liveStatusFrom(health)};
     if (health.navigation) state.navigation = shown(*health.navigation, health_age_s);
     state.ping_age_s = age_of(link.last_ping);
-    state.heading_age_s = age_of(health.heading_time);
+    state.heading_age_s = headingAge(health, health_age_s);
     state.tracker = trackerState(link);
     return state;
 }

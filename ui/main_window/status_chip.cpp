@@ -5,6 +5,7 @@
 #include "ui/style/palette.hpp"
 
 #include <QPainter>
+#include <algorithm>
 
 namespace echotrail {
 namespace {
@@ -52,6 +53,16 @@ int StatusChip::detailWidth() const {
 QSize StatusChip::sizeHint() const {
     const QSize least = minimumSizeHint();
     return health_ == Health::Degraded ? least : least + QSize(detailWidth(), 0);
+}
+
+/// As many of its parts as there is room for: half a number says something else.
+QString StatusChip::detailWithin(int room) const {
+    for (QString shorter = detail_;;) {
+        if (fontMetrics().horizontalAdvance(shorter) <= room) return shorter;
+        const qsizetype end = std::max(shorter.lastIndexOf("  "), shorter.lastIndexOf(", "));
+        if (end <= 0) return fontMetrics().elidedText(shorter, Qt::ElideRight, room);
+        shorter.truncate(end);
+    }
 }
 
 /// In a narrow window the detail gives way, unless it says what is wrong.
@@ -121,7 +132,7 @@ void StatusChip::paintEvent(QPaintEvent*) {
     const QColor words = health_ == Health::Alarm ? colours.panel : on_bright_ ? colours.text : colours.dim;
     write(label_, font(), words);
     write(value_, bold(font()), valueColour());
-    write(fontMetrics().elidedText(detail_, Qt::ElideRight, static_cast<int>(width() - x - space)), font(), words);
+    write(detailWithin(static_cast<int>(width() - x - space)), font(), words);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colours.line, 1.0));
     painter.drawLine(QPointF(width() - 0.5, 0), QPointF(width() - 0.5, height()));

@@ -28,6 +28,7 @@ protected:
 
 private:
     int detailWidth() const;
+    QString detailWithin(int room) const;
     QColor valueColour() const;
     void paintMark(QPainter& painter, const QRectF& box) const;
 
