@@ -1,5 +1,7 @@
 #include "app/io/head_link.hpp"
 
+#include "core/runtime/prompt_thread.hpp"
+
 #include <algorithm>
 
 namespace echotrail {
@@ -69,6 +71,7 @@ HeadLink::~HeadLink() = default;
 
 void HeadLink::open() {
     close();
+    becomePrompt();  // what comes has its time stamped, and the head waits for its next command
     // Made here, so that their sockets belong to the thread that works with them.
     LiveChannels made = makeChannels(addresses_);
     sonar_ = std::move(made.sonar);

@@ -18,10 +18,16 @@ public:
     explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
     void push(T value) {
+        pushQuietly(std::move(value));
+        // Not under the lock: the reader, awake at once, would only wait for it, and on a busy computer the writer that
+        // holds it may not go on for milliseconds.
+        filled_.notify_one();
+    }
+    /// The same without waking the reader, who finds it when the time of take() is up.
+    void pushQuietly(T value) {
         std::unique_lock lock(mutex_);
         room_.wait(lock, [this] { return queue_.size() < capacity_; });
         queue_.push_back(std::move(value));
-        filled_.notify_one();
     }
 
     /// Everything there is, as soon as there is something, the queue is closed, or the time is up: then possibly

@@ -4,6 +4,7 @@
 #include "core/recording/update_text.hpp"
 #include "core/runtime/denormals.hpp"
 #include "core/runtime/processor_time.hpp"
+#include "core/runtime/prompt_thread.hpp"
 
 #include <string>
 
@@ -94,6 +95,7 @@ void LiveRunner::record(ResultRow row) {
 
 void LiveRunner::run() {
     flushDenormals();
+    becomePrompt();  // where that is not granted the tracker works, too
     while (!events_.ended()) {
         auto events = events_.take(idle_wait);
         recordSkips();

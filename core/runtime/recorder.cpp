@@ -6,7 +6,7 @@ namespace echotrail {
 namespace {
 
 constexpr std::size_t longest_queue = 200'000;  // some ten minutes of the reads of a busy link
-constexpr std::chrono::milliseconds commit_interval{500};
+constexpr std::chrono::milliseconds commit_interval{500}, take_interval{50};
 constexpr std::uint64_t low_bytes = 2'000'000'000, full_bytes = 200'000'000;
 
 }  // namespace
@@ -35,7 +35,7 @@ void Recorder::run() {
     auto last_commit = std::chrono::steady_clock::now();
     bool dirty = false;
     while (!queue_.ended()) {
-        for (const Row& row : queue_.take(commit_interval)) {
+        for (const Row& row : queue_.take(take_interval)) {
             write(row);
             dirty = true;
         }

@@ -46,8 +46,9 @@ public:
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    void add(Event event) { queue_.push(std::move(event)); }
-    void add(ResultRow row) { queue_.push(std::move(row)); }
+    // Quietly: the log's thread, woken for every row, would take the processor from whoever has the next thing to do.
+    void add(Event event) { queue_.pushQuietly(std::move(event)); }
+    void add(ResultRow row) { queue_.pushQuietly(std::move(row)); }
     void close();
     RecorderStatus status() const;
 

@@ -143,8 +143,8 @@ void ReplayPlayer::restore(int track) { remember({.kind = RunControl::Kind::Rest
 void ReplayPlayer::remember(const RunControl& control) {
     // A new wish replaces those made further on in an earlier run: they would surprise the operator now.
     std::erase_if(wishes_, [&](const Wish& old) {
-        return old.position > position_ || (old.position == position_ && old.control.kind == control.kind &&
-                                            old.control.track == control.track);
+        return old.position > position_ ||
+               (old.position == position_ && old.control.kind == control.kind && old.control.track == control.track);
     });
     wishes_.push_back({position_, control});
     pipeline_->command(control);

@@ -3,6 +3,7 @@
 #include "core/link/link_client.hpp"
 #include "core/recording/log_reader.hpp"
 #include "core/recording/ping_log.hpp"
+#include "core/runtime/prompt_thread.hpp"
 #include "core/simulation/simulated_source.hpp"
 
 #include <arpa/inet.h>
@@ -144,6 +145,7 @@ void oneConsoleAgainstTen(benchmark::State& state) {
     char name[] = "benchmark";
     char* argv[] = {name, nullptr};
     const QCoreApplication application(argc, argv);
+    becomePrompt();  // as the thread of the head's link is, whose place this one takes
     const std::string folder = std::filesystem::temp_directory_path() / ("consoles-" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     const auto pings = pingBytes(folder);
