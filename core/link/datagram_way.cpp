@@ -3,6 +3,7 @@
 #include "core/link/framing.hpp"
 #include "core/link/link_limits.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace echotrail {
@@ -10,35 +11,42 @@ namespace {
 
 constexpr double much = 0.1;  ///< lost: radios lose some in the best of times
 constexpr double most = 0.4;  ///< lost: a picture of such remains tells little
+/// Sent, before a share is judged: of few, chance alone loses any share now and then.
+constexpr std::uint64_t enough = 30;
 constexpr Microseconds before_less{1'000'000}, before_more{5'000'000};
 
 }  // namespace
 
-std::optional<double> DatagramWay::report(std::uint64_t newest, std::uint64_t received, Timestamp now) {
-    constexpr std::uint64_t enough = 4;
-    if (received > newest || newest < newest_ || received < received_) return std::nullopt;  // it cannot be
+void DatagramWay::report(std::uint64_t newest, std::uint64_t received, Timestamp now) {
+    if (received > newest || newest < newest_ || received < received_) return;  // it cannot be
+    if (received > received_last_) arrived_ = now;
+    received_last_ = std::max(received_last_, received);
     const std::uint64_t sent = newest - newest_, arrived = received - received_;
-    if (arrived > 0) arrived_ = now;
-    if (sent < enough) return std::nullopt;
+    if (sent < enough) return;
     newest_ = newest;
     received_ = received;
     const double lost = arrived >= sent ? 0.0 : 1.0 - static_cast<double>(arrived) / static_cast<double>(sent);
-    if (lost > much)
-        sendLess(lost > most ? SendQueue::NoPicture : SendQueue::QuarterDetail, now);
-    else if (level_ > SendQueue::Everything && now - level_changed_ > before_more) {
-        level_ = static_cast<SendQueue::Level>(level_ - 1);
-        level_changed_ = now;
-    }
-    return lost;
+    const SendQueue::Level worth = lost > most   ? SendQueue::NoPicture
+                                   : lost > much ? SendQueue::QuarterDetail
+                                                 : SendQueue::Everything;
+    if (level_ < worth)
+        step(1, before_less, now);
+    else if (level_ > worth)
+        step(-1, before_more, now);
 }
 
-void DatagramWay::tellCrowded(Timestamp now) { sendLess(SendQueue::NoPicture, now); }
+void DatagramWay::tellCrowded(Timestamp now) {
+    if (level_ < SendQueue::NoPicture)
+        step(1, before_less, now);
+    else
+        level_changed_ = now;  // no step back to more for a while
+}
 
-/// A step less, where that is not beyond the limit for this reason.
-void DatagramWay::sendLess(SendQueue::Level at_most, Timestamp now) {
-    if (now - level_changed_ <= before_less) return;
-    level_changed_ = now;  // and no step back to more for a while
-    if (level_ < at_most) level_ = static_cast<SendQueue::Level>(level_ + 1);
+/// To less, or to more, but not sooner after the last step than that.
+void DatagramWay::step(int levels, Microseconds not_before, Timestamp now) {
+    if (now - level_changed_ <= not_before) return;
+    level_ = static_cast<SendQueue::Level>(level_ + levels);
+    level_changed_ = now;
 }
 
 bool DatagramWay::works(Timestamp now) const { return arrived_ && now - *arrived_ < link_limits::nothing_arrives; }

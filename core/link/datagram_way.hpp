@@ -18,9 +18,8 @@ namespace echotrail {
 /// Order: times never go back.
 class DatagramWay {
 public:
-    /// The console says what has arrived. Gives the share that was lost since the last time, where enough was sent to
-    /// tell.
-    std::optional<double> report(std::uint64_t newest, std::uint64_t received, Timestamp now);
+    /// The console says what has arrived. Where enough was sent since it was last judged, that decides on the level.
+    void report(std::uint64_t newest, std::uint64_t received, Timestamp now);
     /// Whether what is sent arrives, as far as is known.
     bool works(Timestamp now) const;
     static bool fits(const SendQueue::Frame& frame);
@@ -35,12 +34,13 @@ public:
     std::vector<std::string> take();
 
 private:
-    void sendLess(SendQueue::Level at_most, Timestamp now);
+    void step(int levels, Microseconds not_before, Timestamp now);
 
     std::deque<std::string> waiting_;
     SendQueue::Level level_ = SendQueue::Everything;
     Timestamp level_changed_{};
-    std::uint64_t newest_ = 0, received_ = 0;
+    std::uint64_t newest_ = 0, received_ = 0;  ///< when it was last judged
+    std::uint64_t received_last_ = 0;
     std::optional<Timestamp> arrived_;
 };
 
