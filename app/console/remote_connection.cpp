@@ -9,9 +9,16 @@
 namespace echotrail {
 namespace {
 
-LiveLink shown(const LinkEnd& end, double health_age_s) {
+/// That the tracker says only once a second how old something is makes it no older. When it has missed its turn, nobody
+/// knows whether there is anything newer.
+double ageNow(double told_s, double report_age_s) {
+    constexpr double its_turn_s = 2.0;
+    return report_age_s > its_turn_s ? told_s + report_age_s : told_s;
+}
+
+LiveLink shown(const LinkEnd& end, double report_age_s) {
     LiveLink link{end.up, QString::fromStdString(end.reason), {}};
-    if (end.age_s) link.age_s = *end.age_s + health_age_s;
+    if (end.age_s) link.age_s = ageNow(*end.age_s, report_age_s);
     return link;
 }
 
@@ -46,15 +53,6 @@ TrackerState trackerState(const TrackerLinkState& state) {
         tracker.recordings.append({QString::fromStdString(each.name), each.bytes, each.changed, each.written});
     tracker.recordings_error = QString::fromStdString(state.recordings_error);
     return tracker;
-}
-
-/// As old as the tracker last said: that it says so but once a second makes no heading older. When it has missed its
-/// turn, nobody knows that there is a newer one.
-std::optional<double> headingAge(const LinkHealth& health, double health_age_s) {
-    constexpr double its_turn_s = 2.0;
-    if (!health.heading_time) return std::nullopt;
-    const double then_s = std::max(0.0, secondsBetween(*health.heading_time, health.time));
-    return health_age_s > its_turn_s ? then_s + health_age_s : then_s;
 }
 
 }  // namespace
@@ -145,8 +143,10 @@ LiveState RemoteConnection::state() const {
                     .run = liveStatusFrom(health)};
     if (health.navigation) state.navigation = shown(*health.navigation, health_age_s);
     state.ping_age_s = age_of(link.last_ping);
-    state.heading_age_s = headingAge(health, health_age_s);
+    if (health.heading_time)
+        state.heading_age_s = ageNow(std::max(0.0, secondsBetween(*health.heading_time, health.time)), health_age_s);
     state.tracker = trackerState(link);
+    state.tracker->report_age_s = health_age_s;
     return state;
 }
 

@@ -2,10 +2,17 @@
 
 #include "ui/views/track_painter.hpp"
 
+#include <algorithm>
+
 namespace echotrail {
 namespace {
 
 QString text(const std::string& plain) { return QString::fromStdString(plain); }
+
+/// What a far tracker said last, some time ago, says nothing about now.
+bool isTold(const LiveState& state) {
+    return !state.tracker || (state.tracker->link.up && state.tracker->report_age_s <= AlertRules::stale_link_s);
+}
 
 }  // namespace
 
@@ -33,8 +40,7 @@ std::optional<double> minutesLeft(const LiveStatus& run) {
 std::vector<Situation> AlertRules::ofLive(const LiveState& state, double longest_heading_gap_s) {
     std::vector<Situation> situations;
     addLinks(state, situations);
-    const bool reached = !state.tracker || state.tracker->link.up;
-    if (!reached) return situations;  // what a far tracker said last says nothing about now
+    if (!isTold(state)) return situations;
     addHeading(state, longest_heading_gap_s, situations);
     addRecording(state.run, situations);
     if (state.tracker && state.tracker->record && !state.tracker->record->error.isEmpty())
@@ -52,9 +58,12 @@ void AlertRules::addLinks(const LiveState& state, std::vector<Situation>& situat
                               link.reason.isEmpty() ? age : link.reason + " · " + age, link_delay_s});
         return false;
     };
-    if (state.tracker &&
-        !judge(state.tracker->link, "tracker_link", tr("Link to the tracker lost"), tr("Tracker is quiet")))
-        return;  // the head's link is known through it only
+    if (state.tracker) {
+        LiveLink link = state.tracker->link;
+        if (link.age_s) link.age_s = std::max(*link.age_s, state.tracker->report_age_s);
+        if (!judge(link, "tracker_link", tr("Link to the tracker lost"), tr("Tracker is quiet")))
+            return;  // the head's link is known through it only
+    }
     if (!judge(state.sonar, "sonar_link", tr("Link to the sonar lost"), tr("Sonar is quiet"))) return;
     if (!state.head.advice.empty())
         situations.push_back(

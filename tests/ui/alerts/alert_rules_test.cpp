@@ -54,6 +54,19 @@ TEST(AlertRules, OfATrackerThatIsNotHeardOnlyItsLinkIsTold) {
     EXPECT_EQ(told[0].key, "tracker_link");
 }
 
+TEST(AlertRules, ALateReportOfATrackerIsOneSituationNotOneOfAllItTellsOf) {
+    LiveState state = soundState();
+    state.tracker.emplace();
+    state.tracker->link = {true, {}, 0.1};  // pictures arrive
+    state.tracker->report_age_s = 6.0;
+    state.sonar.age_s = state.heading_age_s = 6.1;
+    const auto told = AlertRules::ofLive(state, longest_gap_s);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told[0].title, "Tracker is quiet");
+    state.tracker->report_age_s = 0.5;
+    EXPECT_EQ(AlertRules::ofLive(state, longest_gap_s).size(), 2U) << "now it says that both are old";
+}
+
 TEST(AlertRules, AHeadingIsMissedOnlyWhereOneWasAskedFor) {
     LiveState state = soundState();
     state.heading_age_s.reset();
