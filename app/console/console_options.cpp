@@ -116,6 +116,12 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
         std::cerr << "echotrail-console: --no-record needs --sonar or --connect\n";
         return usage_error;
     }
+    if (!options.connect.empty() && (!files.empty() || !assignments.empty())) {
+        std::cerr
+            << "echotrail-console: a tracker has its own parameters: give them to 'echotrail track', or set them in "
+               "the panel Parameters once connected\n";
+        return usage_error;
+    }
     auto applied = applyParameters(options.params, files, assignments);
     if (applied) applied = applyPictures(options.schedule, pictures, at_s);
     if (!applied) {

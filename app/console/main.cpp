@@ -23,12 +23,21 @@ bool haveDisplay() {
            !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
 }
 
-/// As soon as there is something to find the target in: before the first ping.
+/// As soon as there is something to find the target in: before the first ping; a tracker is told when it first takes
+/// orders from here.
 void designateFirst(echotrail::PipelineBridge& bridge, std::pair<double, double> target) {
-    QObject::connect(
-        &bridge, &echotrail::PipelineBridge::opened, &bridge,
-        [&bridge, target] { bridge.designate(target.first, echotrail::radiansFromDegrees(target.second)); },
-        Qt::SingleShotConnection);
+    auto* until_told = new QObject(&bridge);
+    const auto designate = [&bridge, target, until_told] {
+        bridge.designate(target.first, echotrail::radiansFromDegrees(target.second));
+        until_told->deleteLater();
+    };
+    QObject::connect(&bridge, &echotrail::PipelineBridge::opened, until_told, [&bridge, designate] {
+        if (!bridge.isTracker()) designate();
+    });
+    QObject::connect(&bridge, &echotrail::PipelineBridge::liveChanged, until_told,
+                     [designate](const echotrail::LiveState& state) {
+                         if (state.tracker && state.tracker->link.up && state.tracker->holds_control) designate();
+                     });
 }
 
 }  // namespace

@@ -123,6 +123,7 @@ TEST_F(ConsoleProgram, WrongUsageIsExitCodeTwoWithOneLine) {
                                    {"--target", "north"},
                                    {"--navigation", "tcp://127.0.0.1:1"},
                                    {"--sonar", "tcp://127.0.0.1:1", "--demonstration"},
+                                   {"--connect", "tcp://127.0.0.1:1", "--set", "sound_speed=1500"},
                                    {"--parameters", "/no/such.toml"}};
     for (const QStringList& arguments : wrong) {
         const auto outcome = run(arguments);

@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QProcess>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -145,6 +146,22 @@ TEST_F(TrackerMode, RecordingsAboardAreListedAndFetchedBesideThePicture) {
     ASSERT_TRUE(log) << log.error();
     EXPECT_EQ((*log)->events(), 50U);
     EXPECT_FALSE(recordings->cancelButton().isEnabled());
+}
+
+TEST(TrackerProgram, ATargetOfTheCommandLineReachesTheTrackerOnceItTakesOrders) {
+    Tracker tracker;
+    QProcess console;
+    console.start(ECHOTRAIL_CONSOLE,
+                  {"--headless", "--connect", tracker.text(), "--no-record", "--target", "31,-9", "--exit-at", "60"});
+    ASSERT_TRUE(await([&] { return tracker.last.has_value(); }));
+    const auto* designation = std::get_if<LinkDesignate>(&tracker.last->content);
+    ASSERT_NE(designation, nullptr);
+    EXPECT_EQ(designation->range_m, 31.0);
+    EXPECT_NEAR(designation->from_bow.inDegrees(), -9.0, 1e-9);
+    tracker.last.reset();
+    EXPECT_FALSE(QTest::qWaitFor([&] { return tracker.last.has_value(); }, 1'000)) << "once is enough";
+    console.terminate();
+    EXPECT_TRUE(console.waitForFinished(60'000));
 }
 
 TEST_F(TrackerMode, WhatIsNoAddressIsRefused) {
