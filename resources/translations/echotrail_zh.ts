@@ -2683,7 +2683,7 @@ is taken to lie still, bow north</source>
         <translation> · %1前看到</translation>
     </message>
     <message>
-        <source>confirmed, none designated</source>
+        <source>confirmed, no target</source>
         <translation>条已确认，未指定</translation>
     </message>
     <message>

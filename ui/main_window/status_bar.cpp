@@ -60,6 +60,20 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
 /// A tool bar takes the hint for the least: a window must not be wider for the details of the chips.
 QSize StatusBar::sizeHint() const { return {layout()->minimumSize().width(), QWidget::sizeHint().height()}; }
 
+bool StatusBar::event(QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) fitDetails();
+    return QWidget::event(event);
+}
+
+/// The room beyond what every chip needs goes to the details one after the other, the most telling first: shared out
+/// among all of them, it would do for none.
+void StatusBar::fitDetails() {
+    int room = width() - layout()->minimumSize().width();
+    for (StatusChip* chip : {alerts_, track_, tracker_, sonar_, heading_, recording_, link_, control_, position_,
+                             speed_, pings_, file_, utc_})
+        if (chip->isVisibleTo(this)) room -= chip->giveRoom(room);
+}
+
 void StatusBar::nameChips() {
     file_->setLabel(tr("FILE"));
     position_->setLabel(tr("POSITION"));
@@ -171,7 +185,7 @@ void StatusBar::showTrack(const Scene& scene) {
     } else {
         track_->show(confirmed > 0 ? Health::Good : Health::Absent,
                      confirmed > 0 ? Formatter::count(confirmed) : QString(),
-                     confirmed > 0 ? tr("confirmed, none designated") : tr("none confirmed"));
+                     confirmed > 0 ? tr("confirmed, no target") : tr("none confirmed"));
     }
 }
 

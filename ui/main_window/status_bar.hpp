@@ -49,10 +49,12 @@ Q_SIGNALS:
     void alertsClicked();
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
     StatusChip* addChip(QHBoxLayout& row);
+    void fitDetails();
     void showTrack(const Scene& scene);
     void showCounts(const SourceCounts& counts);
     enum class Mode { Nothing, Replay, Live };

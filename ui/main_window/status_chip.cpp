@@ -29,6 +29,7 @@ void StatusChip::show(Health health, const QString& value, const QString& detail
     health_ = health;
     value_ = shown;
     detail_ = detail;
+    if (health == Health::Degraded) shown_detail_ = detail;
     setAccessibleName(label_ + " " + value_ + " " + detail_);
     updateGeometry();
     update();
@@ -46,32 +47,44 @@ void StatusChip::setOnBright(bool on) {
     update();
 }
 
-int StatusChip::detailWidth() const {
-    return detail_.isEmpty() ? 0 : fontMetrics().averageCharWidth() + fontMetrics().horizontalAdvance(detail_);
-}
-
-QSize StatusChip::sizeHint() const {
-    const QSize least = minimumSizeHint();
-    return health_ == Health::Degraded ? least : least + QSize(detailWidth(), 0);
+int StatusChip::widthOf(const QString& detail) const {
+    return detail.isEmpty() ? 0 : fontMetrics().averageCharWidth() + fontMetrics().horizontalAdvance(detail);
 }
 
 /// As many of its parts as there is room for: half a number says something else.
 QString StatusChip::detailWithin(int room) const {
-    for (QString shorter = detail_;;) {
-        if (fontMetrics().horizontalAdvance(shorter) <= room) return shorter;
-        const qsizetype end = std::max(shorter.lastIndexOf("  "), shorter.lastIndexOf(", "));
-        if (end <= 0) return fontMetrics().elidedText(shorter, Qt::ElideRight, room);
+    QString shorter = detail_;
+    while (widthOf(shorter) > room) {
+        qsizetype end = 0;
+        for (const QString& between : {QStringLiteral("  "), QStringLiteral(", "), QStringLiteral(" · ")})
+            end = std::max(end, shorter.lastIndexOf(between));
         shorter.truncate(end);
     }
+    return shorter;
 }
 
-/// In a narrow window the detail gives way, unless it says what is wrong.
+int StatusChip::giveRoom(int room) {
+    const bool whole = health_ == Health::Degraded;  // it says what is wrong: the least width has room for it
+    const QString shown = whole ? detail_ : detailWithin(std::max(0, room));
+    if (shown != shown_detail_) {
+        shown_detail_ = shown;
+        updateGeometry();
+        update();
+    }
+    return whole ? 0 : widthOf(shown_detail_);
+}
+
+QSize StatusChip::sizeHint() const {
+    const QSize least = minimumSizeHint();
+    return health_ == Health::Degraded ? least : least + QSize(widthOf(shown_detail_), 0);
+}
+
 QSize StatusChip::minimumSizeHint() const {
     const QFontMetrics strong(bold(font()));
     int width = 4 * fontMetrics().averageCharWidth() + fontMetrics().horizontalAdvance(label_) +
                 strong.horizontalAdvance(value_);
     if (health_ != Health::Plain) width += fontMetrics().height();
-    if (health_ == Health::Degraded) width += detailWidth();
+    if (health_ == Health::Degraded) width += widthOf(detail_);
     return {width, fontMetrics().height() * 2};
 }
 
@@ -132,7 +145,7 @@ void StatusChip::paintEvent(QPaintEvent*) {
     const QColor words = health_ == Health::Alarm ? colours.panel : on_bright_ ? colours.text : colours.dim;
     write(label_, font(), words);
     write(value_, bold(font()), valueColour());
-    write(detailWithin(static_cast<int>(width() - x - space)), font(), words);
+    write(shown_detail_, font(), words);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colours.line, 1.0));
     painter.drawLine(QPointF(width() - 0.5, 0), QPointF(width() - 0.5, height()));

@@ -19,6 +19,9 @@ public:
     /// Text painted dark on a bright bar.
     void setOnBright(bool on);
     QString value() const { return value_; }
+    /// So much room there is beyond what the chip needs at least, px: it shows as many whole parts of the detail as
+    /// fit. Gives what it takes of it.
+    int giveRoom(int room);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -27,14 +30,14 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    int detailWidth() const;
+    int widthOf(const QString& detail) const;
     QString detailWithin(int room) const;
     QColor valueColour() const;
     void paintMark(QPainter& painter, const QRectF& box) const;
 
     QString label_;
     QString value_;
-    QString detail_;
+    QString detail_, shown_detail_;
     Health health_ = Health::Absent;
     bool on_bright_ = false;
 };

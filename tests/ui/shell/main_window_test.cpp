@@ -293,5 +293,26 @@ TEST(MainWindow, MarksAndZonesComeBackWithTheirRecording) {
     QSettings().clear();
 }
 
+TEST(StatusChip, ShowsAsManyWholePartsOfItsDetailAsThereIsRoomFor) {
+    const auto picture = [](const QString& detail, int room) {
+        StatusChip chip;
+        chip.show(StatusChip::Health::Good, "up", detail);
+        EXPECT_LE(chip.giveRoom(room), room);
+        chip.resize(400, chip.sizeHint().height());
+        return chip.grab().toImage();
+    };
+    StatusChip whole;
+    whole.show(StatusChip::Health::Good, "up", "0.1 s  310 ms");
+    const int least = whole.sizeHint().width(), room = whole.giveRoom(1'000);
+    EXPECT_EQ(whole.sizeHint().width(), least + room);
+    EXPECT_EQ(picture("0.1 s  310 ms", room - 1), picture("0.1 s", room - 1));
+    EXPECT_NE(picture("0.1 s  310 ms", room - 1), picture("", room - 1));
+    EXPECT_NE(picture("0.1 s  310 ms", room), picture("0.1 s", room));
+    EXPECT_EQ(picture("0.1 s  310 ms", 3), picture("", 3));
+    whole.show(StatusChip::Health::Degraded, "up", "0.1 s  310 ms");
+    EXPECT_EQ(whole.giveRoom(0), 0);
+    EXPECT_GE(whole.minimumSizeHint().width(), least + room) << "what is wrong is always told";
+}
+
 }  // namespace
 }  // namespace echotrail
