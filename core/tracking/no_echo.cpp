@@ -5,6 +5,11 @@
 
 // Looks as they are told, and why one used no echo: for the log, and for whoever asks why a target was lost.
 namespace echotrail {
+namespace {
+
+constexpr std::size_t longest_history = 64;
+
+}  // namespace
 
 NoEcho Tracker::whyNoEcho(const FollowedTrack& followed, Timestamp time, const std::vector<std::size_t>& regions,
                           const std::vector<Pairing>& pairings) const {
@@ -48,6 +53,11 @@ TrackLook Tracker::lookOf(const FollowedTrack& followed, Timestamp time, NoEcho 
             .position_m = position,
             .velocity_mps = track.estimate.mean.tail<2>(),
             .covariance_m2 = track.estimate.covariance.topLeftCorner<2, 2>()};
+}
+
+void Tracker::remember(const TrackLook& look, Track& track) {
+    if (track.history.size() == longest_history) track.history.erase(track.history.begin());
+    track.history.push_back(look);
 }
 
 }  // namespace echotrail

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double clutter_score_memory = 0.9;
 constexpr double looked_at_coverage = 0.5;  // the expected place itself was passed over
-constexpr std::size_t longest_history = 64;
 constexpr MultipathRule copy{.farthest_m = 4.0, .weaker_db = 3.0};
 constexpr double arc_widths = 2.5, arc_elongation = 2.5;
 constexpr double side_lobe_widths = 1.5;     // of the beam, beside the object: nearer is the main lobe
@@ -344,9 +343,7 @@ void Tracker::concludePass(FollowedTrack& followed, const GaussianParticleFilter
     if (result != LookResult::NotLookedAt && !still_lost) {
         const Pose& head = seen ? region->head : followed.pass.nearestHead();
         looks.push_back(lookOf(followed, time, cause, head));
-        auto& history = followed.track.history;
-        if (history.size() == longest_history) history.erase(history.begin());
-        history.push_back(looks.back());
+        remember(looks.back(), followed.track);
     }
     if (result != LookResult::NotLookedAt) followed.navigation_gap = followed.pings_missing = false;
     followed.pass.restart();

@@ -82,6 +82,7 @@ void Tracker::giveUpUnseen(std::vector<TrackLook>& looks) {
         track.estimate = predict(followed, beam_.time);
         widenSearch(track, params_.life);  // which also bounds it
         looks.push_back(lookOf(followed, beam_.time, whyNotScanned(followed), beam_.head));
+        remember(looks.back(), track);
     }
 }
 
@@ -273,7 +274,7 @@ void Tracker::bear(const Region& region, std::vector<TrackLook>& looks) {
     followed_.push_back(std::move(born));
     applyDesignation();
     looks.push_back(lookOf(followed_.back(), region.time, NoEcho::None, region.head));
-    followed_.back().track.history.push_back(looks.back());
+    remember(looks.back(), followed_.back().track);
 }
 
 void Tracker::endSweep() {

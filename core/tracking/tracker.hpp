@@ -213,6 +213,7 @@ private:
     void takeEcho(FollowedTrack& followed, const Region& region, const Pairing& pairing);
     void searchAgain(FollowedTrack& followed, LookResult result, Timestamp time);
     TrackLook lookOf(const FollowedTrack& followed, Timestamp time, NoEcho cause, const Pose& head) const;
+    static void remember(const TrackLook& look, Track& track);
 
     void decideBirths(std::vector<TrackLook>& looks);
     bool mayBeBorn(const Region& region) const;

@@ -172,6 +172,94 @@
         <source>R%1 %2 at %3</source>
         <translation>R%1 %2 距 %3</translation>
     </message>
+    <message>
+        <source>the sector leaves it out</source>
+        <translation>扇区未包含其位置</translation>
+    </message>
+    <message>
+        <source>the beam has not come by</source>
+        <translation>波束尚未扫到</translation>
+    </message>
+    <message>
+        <source>nothing stood out</source>
+        <translation>没有超过阈值的回波</translation>
+    </message>
+    <message>
+        <source>run into something larger</source>
+        <translation>并入更大的回波</translation>
+    </message>
+    <message>
+        <source>what was there is another track&apos;s</source>
+        <translation>该处回波属于其他航迹</translation>
+    </message>
+    <message>
+        <source>what was there is more likely clutter</source>
+        <translation>该处回波更像杂波</translation>
+    </message>
+    <message>
+        <source>navigation was missing</source>
+        <translation>缺少导航</translation>
+    </message>
+    <message>
+        <source>pings were missing</source>
+        <translation>缺少 ping</translation>
+    </message>
+    <message>
+        <source>outside the sector</source>
+        <translation>扇区之外</translation>
+    </message>
+    <message>
+        <source>not yet scanned</source>
+        <translation>尚未扫描</translation>
+    </message>
+    <message>
+        <source>under the threshold</source>
+        <translation>低于阈值</translation>
+    </message>
+    <message>
+        <source>merged with clutter</source>
+        <translation>与杂波合并</translation>
+    </message>
+    <message>
+        <source>taken by another track</source>
+        <translation>被其他航迹占用</translation>
+    </message>
+    <message>
+        <source>out-scored by clutter</source>
+        <translation>得分低于杂波</translation>
+    </message>
+    <message>
+        <source>navigation gap</source>
+        <translation>导航中断</translation>
+    </message>
+    <message>
+        <source>pings missing</source>
+        <translation>缺少 ping</translation>
+    </message>
+    <message>
+        <source>cause not told</source>
+        <translation>原因未知</translation>
+    </message>
+    <message>
+        <source>%1 of %1 with an echo</source>
+        <translation>%1/%1 次有回波</translation>
+    </message>
+    <message>
+        <source>%1 of %2 without an echo</source>
+        <translation>%1/%2 次无回波</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 次%2</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>TrackStrips</name>
@@ -2971,6 +3059,10 @@ is taken to lie still, bow north</source>
     <message>
         <source>target · %1</source>
         <translation>目标 · %1</translation>
+    </message>
+    <message>
+        <source>Last looks</source>
+        <translation>最近观测</translation>
     </message>
 </context>
 <context>

@@ -130,6 +130,16 @@ TEST(LinkValues, ATrackComesThroughWithItsHistory) {
     EXPECT_TRUE(roundTrip<wire::Track>(sent, false)->history.empty());
 }
 
+TEST(LinkValues, ACauseThatOnlyANewerTrackerKnowsIsNone) {
+    wire::Look look;
+    write(sampleLook(), look);
+    EXPECT_EQ(read(carried(look))->no_echo, NoEcho::TakenByAnother);
+    for (const int unknown : {no_echo_causes, 99, -1}) {
+        look.set_no_echo(unknown);
+        EXPECT_EQ(read(carried(look))->no_echo, NoEcho::None) << unknown;
+    }
+}
+
 TEST(LinkValues, ParticlesAreThinnedAndTheirWeightsAddUpToOne) {
     wire::Particles message;
     write(2, sampleTrack().particles, 200, *message.add_clouds());

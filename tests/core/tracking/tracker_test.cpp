@@ -175,6 +175,11 @@ TEST(Tracker, WhatTheSectorLeavesBehindIsLostForThat) {
     scene.run(90);
     ASSERT_EQ(scene.looks.back().state, TrackState::Lost);
     EXPECT_EQ(scene.looks.back().no_echo, NoEcho::OutsideSector);
+    const auto tracks = scene.tracker.tracks();
+    const auto lost = std::find_if(tracks.begin(), tracks.end(),
+                                   [&](const Track& track) { return track.id == scene.looks.back().track; });
+    ASSERT_NE(lost, tracks.end());
+    EXPECT_EQ(lost->history.back().no_echo, NoEcho::OutsideSector) << "whoever looks at the track is told as well";
 }
 
 TEST(Tracker, LostTargetIsFoundAgainUnderItsOldId) {

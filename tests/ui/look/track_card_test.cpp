@@ -6,12 +6,14 @@
 #include "ui/panels/tracks/track_reasons.hpp"
 #include "ui/panels/tracks/track_strips.hpp"
 #include "ui/panels/tracks/tracks_panel.hpp"
+#include "ui/style/formatter.hpp"
 
 #include <gtest/gtest.h>
 
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSet>
 #include <QTableView>
 #include <QTest>
 
@@ -118,6 +120,50 @@ TEST(TrackReasons, SayWhatHoldsOrEndsAState) {
     EXPECT_EQ(TrackReasons::ofState(track, now, params), "lost: existence 0.03 below 0.05");
     track.existence = 0.5;
     EXPECT_TRUE(TrackReasons::ofState(track, now + std::chrono::seconds(40), params).startsWith("lost: no echo for"));
+}
+
+TEST(TrackReasons, SayWhyTheLastLooksUsedNoEcho) {
+    Track track = test::sampleTrack(1, TrackState::Coasting, 12.0, 2.0);
+    const auto look = [](bool seen, NoEcho cause) {
+        TrackLook one;
+        one.seen = seen;
+        one.no_echo = cause;
+        return one;
+    };
+    const TrackLook seen = look(true, NoEcho::None), weak = look(false, NoEcho::UnderThreshold),
+                    merged = look(false, NoEcho::Merged), silent = look(false, NoEcho::None);
+    track.misses = 2;
+    track.history = {seen, weak, merged, seen, weak};
+    EXPECT_EQ(TrackReasons::ofLastLooks(track), "3 of 5 without an echo: 2 under the threshold, 1 merged with clutter");
+    EXPECT_EQ(TrackReasons::ofState(track, test::scene_time, {}),
+              QString::fromUtf8("2 of 4 looks without an echo · nothing stood out"));
+    track.state = TrackState::Lost;
+    track.misses = 4;
+    track.history.back() = look(false, NoEcho::OutsideSector);
+    EXPECT_TRUE(TrackReasons::ofState(track, test::scene_time, {}).endsWith("the sector leaves it out"));
+
+    track.history.assign(TrackReasons::last_looks, seen);
+    track.history.front() = merged;
+    EXPECT_EQ(TrackReasons::ofLastLooks(track), "1 of 10 without an echo: merged with clutter");
+    track.history.push_back(seen);
+    EXPECT_EQ(TrackReasons::ofLastLooks(track), "10 of 10 with an echo") << "older ones do not count";
+    track.history = {seen, silent};
+    EXPECT_EQ(TrackReasons::ofLastLooks(track), "1 of 2 without an echo") << "a tracker that does not tell why";
+    track.history.clear();
+    EXPECT_EQ(TrackReasons::ofLastLooks(track), Formatter::unknown());
+}
+
+TEST(TrackReasons, HaveAWordForEveryCause) {
+    Track track = test::sampleTrack(1, TrackState::Coasting, 12.0, 2.0);
+    QSet<QString> states, looks;
+    for (int cause = 1; cause < no_echo_causes; ++cause) {
+        track.history.back().seen = false;
+        track.history.back().no_echo = static_cast<NoEcho>(cause);
+        states << TrackReasons::ofState(track, test::scene_time, {});
+        looks << TrackReasons::ofLastLooks(track);
+    }
+    EXPECT_EQ(states.size(), no_echo_causes - 1);
+    EXPECT_EQ(looks.size(), no_echo_causes - 1);
 }
 
 TEST(TrackReasons, NameTheRivalsTheLikestFirst) {

@@ -47,7 +47,7 @@ QLabel* dimLabel(const QString& text, QWidget* parent) {
 TargetCard::TargetCard(QWidget* parent) : QWidget(parent) {
     const UiMetrics metrics(font());
     auto* column = new QVBoxLayout(this);
-    column->setSpacing(metrics.pixels(6.0));
+    column->setSpacing(metrics.pixels(4.0));
     auto* head = new QHBoxLayout;
     title_ = new QLabel(this);
     title_->setObjectName("title");
@@ -101,24 +101,25 @@ void TargetCard::addComparisons(QGridLayout& grid) {
         grid.addWidget(comparison.seen, i + 1, 2, Qt::AlignRight);
         grid.addWidget(comparison.term, i + 1, 3, Qt::AlignRight);
     }
-    grid.setVerticalSpacing(UiMetrics(font()).pixels(3.0));
+    grid.setVerticalSpacing(UiMetrics(font()).pixels(2.0));
     for (const int column : {0, 1, 2, 3}) grid.setColumnStretch(column, 1);
 }
 
 void TargetCard::addFacts(QGridLayout& grid) {
-    const std::array names{tr("State"), tr("Near it"), tr("NIS"), tr("Particles"), tr("Born")};
+    const std::array names{tr("State"), tr("Last looks"), tr("Near it"), tr("NIS"), tr("Particles"), tr("Born")};
     for (int i = 0; i < FactCount; ++i) {
         QLabel* fact = facts_[static_cast<std::size_t>(i)] = new QLabel(this);
         fact->setObjectName("fact");
         fact->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long one must not widen the card
-        grid.addWidget(dimLabel(names[static_cast<std::size_t>(i)], this), i, 0);
+        grid.addWidget(dimLabel(names[static_cast<std::size_t>(i)], this), i, 0, Qt::AlignTop);
         grid.addWidget(fact, i, 1);
     }
+    for (const FactName reason : {State, LastLooks}) facts_[reason]->setWordWrap(true);
     facts_[Competing]->setToolTip(tr("Regions of the last sweep in its gate: likeness to the reference, and distance"));
     facts_[Consistency]->setToolTip(
         tr("Normalised innovation squared: a track that knows how sure it is has 95 % of its looks below %1")
             .arg(TrackStrips::nis_limit));
-    grid.setVerticalSpacing(UiMetrics(font()).pixels(3.0));
+    grid.setVerticalSpacing(UiMetrics(font()).pixels(2.0));
     grid.setColumnStretch(1, 1);
 }
 
@@ -200,6 +201,7 @@ void TargetCard::showFacts(const Track& track, const Scene& scene, const std::ve
     const Timestamp now = scene.latest.time;
     facts_[State]->setText(TrackReasons::ofState(track, now, params.life));
     setLabelRole(*facts_[State], track.state == TrackState::Lost ? "lost" : "fact");
+    facts_[LastLooks]->setText(TrackReasons::ofLastLooks(track));
     facts_[Competing]->setText(TrackReasons::competing(track, scene, params));
     const auto within = std::count_if(samples.begin(), samples.end(),
                                       [](const TrackSample& sample) { return sample.nis <= TrackStrips::nis_limit; });

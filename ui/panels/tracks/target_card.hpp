@@ -40,7 +40,7 @@ private:
     };
     enum ValueName { RangeValue, BearingValue, AgeValue, SpeedValue, CourseValue, ExistenceValue, ValueCount };
     enum ComparisonName { Place, Area, Moment, Strength, Level, ComparisonCount };
-    enum FactName { State, Competing, Consistency, Particles, Born, FactCount };
+    enum FactName { State, LastLooks, Competing, Consistency, Particles, Born, FactCount };
 
     void addValues(QGridLayout& grid);
     void addComparisons(QGridLayout& grid);
