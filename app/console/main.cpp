@@ -2,6 +2,7 @@
 #include "console_options.hpp"
 #include "libraries.hpp"
 #include "live_connection.hpp"
+#include "quiet_offscreen.hpp"
 #include "ui/main_window/main_window.hpp"
 #include "ui/main_window/message_strip.hpp"
 #include "ui/panels/connection/connection_panel.hpp"
@@ -54,6 +55,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     if (options.headless || !haveDisplay()) qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (qgetenv("QT_QPA_PLATFORM") == "offscreen") quietOffscreen();
     QApplication app(argc, argv);
     QApplication::setApplicationName("console");
     QApplication::setOrganizationName("echotrail");

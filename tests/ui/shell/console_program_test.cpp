@@ -20,7 +20,8 @@ Outcome run(const QStringList& arguments, bool with_platform = true, const QStri
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     if (!settings.isEmpty()) environment.insert("XDG_CONFIG_HOME", settings);
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) environment.remove(name);
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "XDG_RUNTIME_DIR"})
+        environment.remove(name);
     if (with_platform) environment.insert("QT_QPA_PLATFORM", "offscreen");
     process.setProcessEnvironment(environment);
     process.start(ECHOTRAIL_CONSOLE, arguments);
@@ -76,6 +77,16 @@ TEST_F(ConsoleProgram, WatchesARecordingHeadlessAndTakesPicturesOnTheWay) {
     EXPECT_EQ(early.size(), QSize(1600, 1000));
     EXPECT_EQ(late.size(), early.size());
     EXPECT_NE(late, early);
+}
+
+TEST_F(ConsoleProgram, SaysNothingWithoutADisplayUnlessSomethingIsWrong) {
+    const QString path = folder_.filePath("quiet.png");
+    const auto outcome = run({"--headless", "--demonstration", "--screenshot-to", path, "--at", "2"}, false);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.errors, "");
+    const QString nowhere = folder_.filePath("no/folder.png");
+    EXPECT_EQ(run({"--headless", "--screenshot-to", nowhere}, false).errors,
+              "echotrail-console: " + nowhere + " could not be written\n");
 }
 
 TEST_F(ConsoleProgram, AMomentPastTheEndIsExitCodeThreeWithThePictureOfTheEnd) {
