@@ -105,9 +105,14 @@ void AlertBook::acknowledge(int id, Timestamp now) {
     arrange();
 }
 
-void AlertBook::reword(const std::function<Situation(const Situation&)>& word) {
-    for (Alert& alert : alerts_)
-        if (alert.passing) alert.situation = word(alert.situation);
+void AlertBook::reword() {
+    for (Alert& alert : alerts_) {
+        Situation& situation = alert.situation;
+        if (!situation.words) continue;
+        const AlertWords words = situation.words();
+        situation.title = words.title;
+        situation.cause = words.cause;
+    }
 }
 
 void AlertBook::clear() {

@@ -2,7 +2,6 @@
 
 #include "ui/alerts/alert.hpp"
 
-#include <functional>
 #include <vector>
 
 namespace echotrail {
@@ -27,8 +26,8 @@ public:
     /// Something happened. While the last of its key is not acknowledged, that one is told again.
     void happened(const Situation& situation, Timestamp now);
     void acknowledge(int id, Timestamp now);
-    /// Words what passed anew: nothing else will, and the language may have changed.
-    void reword(const std::function<Situation(const Situation&)>& word);
+    /// Says all anew, what is over too: the language has changed.
+    void reword();
     void clear();
 
     /// As they are listed: what asks for the operator by priority, then what lasts, then what is over; newest first.

@@ -24,9 +24,7 @@ AlertCentre::AlertCentre(QObject* parent) : QObject(parent), sound_([] { QApplic
     timer_.setInterval(tick_ms);
     connect(&timer_, &QTimer::timeout, this, &AlertCentre::tick);
     inEveryLanguage(this, [this] {
-        book_.reword([this](const Situation& situation) {
-            return AlertRules::guardZoneEntered(situation.track, situation.guard_zone, names_);
-        });
+        book_.reword();
         tell();
     });
 }

@@ -165,6 +165,27 @@ TEST_F(LanguageTest, AlertsSpeakTheLanguageInForce) {
     EXPECT_EQ(window_.alerts().model().index(0).data().toString(), "T03 in guard zone N") << "though it is over";
 }
 
+TEST_F(LanguageTest, AlertsThatHaveEndedSpeakItToo) {
+    AlertCentre& alerts = window_.alerts();
+    alerts.setSound({});
+    Timestamp now{std::chrono::hours(1)};
+    alerts.setClock([&] { return now; });
+    LiveState state;
+    state.sonar = {true, {}, 0.1};
+    state.run.recorder.error = "no space left";
+    alerts.showLive(state, 5.0);
+    now += std::chrono::seconds(10);
+    state.run.recorder.error.clear();
+    alerts.showLive(state, 5.0);
+    alerts.acknowledgeMostUrgent();
+    const QModelIndex ended = alerts.model().index(0);
+    ASSERT_TRUE(ended.data(AlertModel::OverRole).toBool());
+    EXPECT_EQ(ended.data().toString(), "Recording has ended");
+    speak(Language::Chinese);
+    EXPECT_EQ(ended.data().toString(), QString::fromUtf8("记录已停止"));
+    EXPECT_EQ(ended.data(AlertModel::CauseRole).toString(), QString::fromUtf8("no space left · 请清理磁盘后重新连接"));
+}
+
 TEST(Languages, HaveNamesForFilesAndForPeople) {
     for (const Language language : {Language::English, Language::Chinese})
         EXPECT_EQ(languageFromName(languageName(language)), language);
