@@ -37,12 +37,10 @@ std::string textIn(const Json& record, const char* name, const char* otherwise) 
 
 /// What the tracker's results in a log of our own tell of looks: how many, and why some used no echo. Nothing where
 /// there are none. Looks of tracks that were never confirmed do not count.
-Json describeLooks(const std::string& path) {
-    const auto log = LogReader::open(path);
-    if (!log) return nullptr;
+Json describeLooks(LogReader& log) {
     std::uint64_t looks = 0;
     std::map<std::string, std::uint64_t> causes;
-    while (const auto result = (*log)->nextResult()) {
+    while (const auto result = log.nextResult()) {
         if (result->kind != UpdateKind::Track) continue;
         const Json look = Json::parse(result->text, nullptr, false);
         if (!look.is_object() || textIn(look, "state", "tentative") == "tentative") continue;
@@ -52,6 +50,21 @@ Json describeLooks(const std::string& path) {
     }
     if (looks == 0) return nullptr;
     return {{"looks", looks}, {"without_echo", causes}};
+}
+
+/// Into what is known of a log of our own: what its results tell, and which of their rows are lost.
+void addResults(const std::string& path, Json& all) {
+    const auto log = LogReader::open(path);
+    if (!log) return;
+    all["tracks"] = describeLooks(**log);
+    const LogCounts& counts = (*log)->counts();
+    const auto lose = [&](const char* cause, std::uint64_t number) {
+        if (number == 0) return;
+        all["rejected"][cause] = number;
+        all["lost_records"] = all["lost_records"].get<std::uint64_t>() + number;
+    };
+    lose("damaged_result_row", counts.damaged_rows);
+    lose("unreadable_results", counts.unreadable.empty() ? 0 : 1);
 }
 
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
@@ -161,7 +174,8 @@ ExitCode info(const InfoArguments& arguments) {
     const auto source = openSource(*address, {.without_pings = true});
     if (!source) return fail(ExitCode::Failed, source.error());
     Json all = describe(**source);
-    all["tracks"] = address->path.empty() ? Json(nullptr) : describeLooks(address->path);
+    all["tracks"] = nullptr;
+    if (!address->path.empty()) addResults(address->path, all);
     if (arguments.json)
         std::cout << all.dump(2) << "\n";
     else

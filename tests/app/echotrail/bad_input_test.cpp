@@ -45,6 +45,35 @@ TEST(BadInput, ResultsOfOtherTypesThanTheyShouldBeAreLookedAtWithoutHarm) {
     EXPECT_EQ(tracks["without_echo"], (nlohmann::json{{"not told", 1}}));
 }
 
+TEST(BadInput, ADamagedResultIsCountedAsLost) {
+    const ScratchFolder folder;
+    const std::string path = folder.path("damaged.echotrail");
+    const auto look = [](const std::string& id) {
+        return R"({"state": "confirmed", "seen": true, "id": ")" + id + "\"}";
+    };
+    {
+        const auto log = LogWriter::create(path, {.started = Timestamp(Microseconds(1))});
+        ASSERT_TRUE(log) << log.error();
+        for (const char* id : {"first", "second", "third"})
+            ASSERT_TRUE((*log)->addUpdate(UpdateKind::Track, Timestamp(Microseconds(2)), look(id)));
+        ASSERT_TRUE((*log)->close());
+    }
+    EXPECT_EQ(run({"info", path}).exit_code, 0);
+    std::string bytes = contentOf(path);
+    const auto at = bytes.find("second");
+    ASSERT_NE(at, std::string::npos);
+    bytes[at] = 'S';
+    const std::string damaged = folder.write("damaged.echotrail", bytes);
+    const Outcome info = run({"info", damaged, "--json"});
+    EXPECT_EQ(info.exit_code, 3);
+    EXPECT_TRUE(isOneLine(info.errors)) << info.errors;
+    const auto all = nlohmann::json::parse(info.output);
+    EXPECT_EQ(all["tracks"]["looks"], 2);
+    EXPECT_EQ(all["lost_records"], 1);
+    EXPECT_EQ(all["rejected"], (nlohmann::json{{"damaged_result_row", 1}}));
+    EXPECT_NE(run({"info", damaged}).output.find("1 damaged_result_row"), std::string::npos);
+}
+
 TEST(BadInput, WhatIsNoRecordingIsExitCodeOneWithOneLine) {
     const ScratchFolder folder;
     const std::vector<std::string> paths{folder.path("not there"), folder.path("."), folder.write("empty.V4LOG", ""),
