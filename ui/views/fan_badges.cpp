@@ -14,6 +14,7 @@ namespace echotrail {
 namespace {
 
 constexpr double oldest_picture_s = 2.0;  ///< single lines go missing in the best of times
+constexpr qsizetype longest_label = 16;   ///< the badges of both corners must find room side by side
 
 struct UnderCursor {
     double level_db = std::numeric_limits<double>::quiet_NaN();
@@ -143,7 +144,9 @@ QList<BadgeLine> sweepLines(const FanMoment& moment, const Palette& p) {
     const auto target = std::find_if(scene.tracks.begin(), scene.tracks.end(), [](const Track& t) { return t.target; });
     if (target == scene.tracks.end()) return lines;
     const auto wait = secondsToNextLook(scene, bearingOf(*target, scene.latest.pose));
-    lines << BadgeLine{{FanText::tr("Next look at %1 in ").arg(Formatter::trackId(target->id)), p.graticule},
+    QString label = Formatter::trackLabel(target->id, moment.track_names);
+    if (label.size() > longest_label) label = label.left(longest_label - 1) + "…";
+    lines << BadgeLine{{FanText::tr("Next look at %1 in ").arg(label), p.graticule},
                        {Formatter::age(wait.value_or(unknown)), p.track, true}};
     return lines;
 }

@@ -101,8 +101,12 @@ void FanPicture::paintInset(QPainter& painter, const QRectF& view, double top, c
     tracks.paintRegions();
     tracks.paintClouds(track->id);
     painter.setFont(metrics.sized(font, 11.0, true));
+    const QString magnified = " ×4";
     const QPointF name(box.x() + edge, box.y() + metrics.length(16.0));
-    textWithHalo(painter, name, Formatter::trackId(track->id) + " ×4", palette.track, palette.halo);
+    const QFontMetricsF letters(painter.font(), painter.device());
+    const QString label = letters.elidedText(Formatter::trackLabel(track->id, moment.track_names), Qt::ElideRight,
+                                             side - 2.0 * edge - letters.horizontalAdvance(magnified));
+    textWithHalo(painter, name, label + magnified, palette.track, palette.halo);
     painter.setFont(metrics.sized(font, 10.0));
     const std::size_t particles = track->particles.size();
     const QString effective =

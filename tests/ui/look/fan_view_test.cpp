@@ -1,6 +1,7 @@
 #include "colour_measures.hpp"
 #include "fan_fixture.hpp"
 #include "pictures.hpp"
+#include "ui/views/fan_badges.hpp"
 
 #include <QWheelEvent>
 
@@ -92,6 +93,46 @@ TEST_F(FanViewTest, ATracksNameStandsBesideItsSymbol) {
     EXPECT_NE(pictureOf(view_), without);
     view_.setTrackNames({});
     EXPECT_EQ(pictureOf(view_), without);
+}
+
+TEST_F(FanViewTest, TheInsetIsTitledWithTheTracksNameAsFarAsThereIsRoom) {
+    Layers layers = test::onlyEchoes();
+    layers.echoes = false;
+    layers.inset = true;
+    view_.setLayers(layers);
+    view_.setScene(test::shared(test::fullScene()));
+    // The title's line, and the edge beside it that stays clear, from the right edge of the inset.
+    const QRect inset(view_.width() - 208, view_.height() - 208, 200, 200);
+    const QColor ink = paletteOf(Theme::Dusk).track;
+    const auto titleEnd = [&] {
+        const QImage picture = pictureOf(view_);
+        int end = 0;
+        for (int x = 0; x < inset.width(); ++x)
+            for (int y = 4; y < 20; ++y)
+                if (picture.pixelColor(inset.x() + x, inset.y() + y) == ink) end = x;
+        return end;
+    };
+    const int bare = titleEnd();
+    EXPECT_GT(bare, 20);
+    view_.setTrackNames({{1, "buoy"}});
+    EXPECT_GT(titleEnd(), bare + 15);
+    view_.setTrackNames({{1, QString(16, 'W')}});
+    EXPECT_GT(titleEnd(), inset.width() - 40);
+    EXPECT_LE(titleEnd(), inset.width() - 8) << "too long, it ends in an ellipsis and the magnification";
+}
+
+TEST_F(FanViewTest, TheNextLookIsAtTheTracksName) {
+    const Scene scene = test::fullScene();
+    const BeamAges ages;
+    FanMoment moment;
+    moment.scene = &scene;
+    moment.ages = &ages;
+    const auto said = [&] { return sweepLines(moment, paletteOf(Theme::Dusk)).back().front().text; };
+    EXPECT_EQ(said(), "Next look at T01 in ");
+    moment.track_names = {{1, "buoy"}};
+    EXPECT_EQ(said(), "Next look at T01 buoy in ");
+    moment.track_names = {{1, "the eastern buoy"}};
+    EXPECT_EQ(said(), QString::fromUtf8("Next look at T01 the eastern… in "));
 }
 
 TEST_F(FanViewTest, NothingIsBrighterAtNightThanTheMarks) {
