@@ -2354,10 +2354,6 @@ is taken to lie still, bow north</source>
         <translation>船载记录</translation>
     </message>
     <message>
-        <source>What is fetched comes after tracks, picture and health, and is gone on with after a break. A recording that is being written is fetched as far as it is now.</source>
-        <translation>取回数据排在航迹、图像和状态之后；中断后自动续传。正在写入的记录只取到当前为止。</translation>
-    </message>
-    <message>
         <source>Recording</source>
         <translation>记录</translation>
     </message>
@@ -2410,8 +2406,16 @@ is taken to lie still, bow north</source>
         <translation>已完整：%1</translation>
     </message>
     <message>
-        <source>%1: %2 of %3 rows, %4 came</source>
-        <translation>%1：%2 / %3 行，已收 %4</translation>
+        <source>Tracks, picture and health go first; a fetch takes what the link has left, and goes on by itself after a break. A recording that is being written is fetched as far as it is now.</source>
+        <translation>航迹、图像和状态优先；取回只使用链路的剩余带宽，中断后自动续传。正在写入的记录只取到当前为止。</translation>
+    </message>
+    <message>
+        <source>None has been listed so far.</source>
+        <translation>尚未列出任何记录。</translation>
+    </message>
+    <message>
+        <source>%1: %2 %, %3 of %4 rows, %5 came</source>
+        <translation>%1：%2 %，%3 / %4 行，已收 %5</translation>
     </message>
 </context>
 <context>

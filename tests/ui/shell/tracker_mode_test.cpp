@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QHeaderView>
 #include <QProcess>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -162,6 +163,34 @@ TEST(TrackerProgram, ATargetOfTheCommandLineReachesTheTrackerOnceItTakesOrders) 
     EXPECT_FALSE(QTest::qWaitFor([&] { return tracker.last.has_value(); }, 1'000)) << "once is enough";
     console.terminate();
     EXPECT_TRUE(console.waitForFinished(60'000));
+}
+
+TEST(RecordingsAboard, ALongNameLeavesSizeAndTimeInSightAndTroubleIsSaid) {
+    PipelineBridge bridge;
+    RecordingsWindow window(bridge);
+    window.show();
+    LiveState state;
+    state.tracker = TrackerState{};
+    state.tracker->link.up = true;
+    Q_EMIT bridge.liveChanged(state);
+    EXPECT_EQ(window.progress(), "None has been listed so far.");
+    const Timestamp written{std::chrono::seconds(1'767'262'500)};
+    state.tracker->recordings = {{QString(200, 'n'), 5'200'000'000, written, false}};
+    Q_EMIT bridge.liveChanged(state);
+    EXPECT_EQ(window.progress(), "");
+    const QTreeWidgetItem* item = window.list().topLevelItem(0);
+    EXPECT_EQ(item->text(2), "2026-01-01 10:15");
+    QCoreApplication::processEvents();
+    EXPECT_LE(window.list().header()->length(), window.list().viewport()->width()) << "nothing to scroll to";
+    state.tracker->fetched = RecordingCopy{};
+    state.tracker->fetched->name = "dive";
+    state.tracker->fetched->rows = 31;
+    state.tracker->fetched->there = 100;
+    Q_EMIT bridge.liveChanged(state);
+    EXPECT_TRUE(window.progress().startsWith("dive: 31 %")) << window.progress().toStdString();
+    state.tracker->fetched->error = "no space left";
+    Q_EMIT bridge.liveChanged(state);
+    EXPECT_EQ(window.progress(), "Not fetched: no space left");
 }
 
 TEST_F(TrackerMode, WhatIsNoAddressIsRefused) {

@@ -2,6 +2,7 @@
 
 #include "ui/language/language.hpp"
 #include "ui/style/formatter.hpp"
+#include "ui/style/label_role.hpp"
 #include "ui/style/ui_metrics.hpp"
 
 #include <QHeaderView>
@@ -15,6 +16,10 @@ namespace echotrail {
 namespace {
 
 constexpr int look_ms = 5'000;  // recordings grow, and new ones come
+
+constexpr int minutes_end = 16;  // of "2026-03-01T14:03:13.000Z"
+
+enum Column { NameColumn, SizeColumn, TimeColumn, ColumnCount };
 
 QLabel* wrapped(QWidget* parent) {
     auto* label = new QLabel(parent);
@@ -33,8 +38,13 @@ RecordingsWindow::RecordingsWindow(PipelineBridge& bridge, QWidget* parent) : QD
     list_ = new QTreeWidget(this);
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
-    list_->setColumnCount(3);
-    list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    list_->setColumnCount(ColumnCount);
+    list_->setTextElideMode(Qt::ElideMiddle);  // names differ at both ends
+    QHeaderView& header = *list_->header();
+    header.setStretchLastSection(false);
+    header.setSectionResizeMode(QHeaderView::ResizeToContents);
+    header.setSectionResizeMode(NameColumn, QHeaderView::Stretch);  // a long one leaves the others in sight
+    list_->headerItem()->setTextAlignment(SizeColumn, Qt::AlignRight | Qt::AlignVCenter);
     told_ = wrapped(this);
     bar_ = new QProgressBar(this);
     bar_->setTextVisible(false);
@@ -65,9 +75,8 @@ RecordingsWindow::RecordingsWindow(PipelineBridge& bridge, QWidget* parent) : QD
 void RecordingsWindow::nameAll() {
     setWindowTitle(tr("Recordings aboard"));
     note_->setText(
-        tr("What is fetched comes after tracks, picture and health, and is gone on with after a break. A recording "
-           "that is "
-           "being written is fetched as far as it is now."));
+        tr("Tracks, picture and health go first; a fetch takes what the link has left, and goes on by itself after a "
+           "break. A recording that is being written is fetched as far as it is now."));
     list_->setHeaderLabels({tr("Recording"), tr("Size"), tr("Last written (UTC)")});
     list_->setAccessibleName(tr("Recordings aboard"));
     fetch_->setText(tr("Fetch"));
@@ -91,7 +100,7 @@ void RecordingsWindow::hideEvent(QHideEvent* event) {
 
 QString RecordingsWindow::chosen() const {
     const QTreeWidgetItem* item = list_->currentItem();
-    return item && item->isSelected() ? item->data(0, Qt::UserRole).toString() : QString();
+    return item && item->isSelected() ? item->data(NameColumn, Qt::UserRole).toString() : QString();
 }
 
 void RecordingsWindow::showState(const LiveState& state) {
@@ -105,6 +114,11 @@ void RecordingsWindow::showState(const LiveState& state) {
         told_->setText(tr("No link to the tracker; it goes on by itself when the link is back."));
     else if (!tracker->recordings_error.isEmpty())
         told_->setText(tr("The list did not come: %1").arg(tracker->recordings_error));
+    else if (tracker->recordings.isEmpty() && !tracker->fetched)
+        told_->setText(tr("None has been listed so far."));
+    const bool failed =
+        joined && (!tracker->recordings_error.isEmpty() || (tracker->fetched && !tracker->fetched->error.isEmpty()));
+    setLabelRole(*told_, failed ? "refusal" : "dim");
     fetch_->setEnabled(joined && !chosen().isEmpty());
 }
 
@@ -114,10 +128,13 @@ void RecordingsWindow::showList(const QList<RecordingAboard>& recordings) {
     const QString before = chosen();
     list_->clear();
     for (const RecordingAboard& each : recordings) {
-        auto* item = new QTreeWidgetItem(list_, {each.name, Formatter::bytes(each.bytes),
-                                                 each.written ? tr("being written") : Formatter::utc(each.changed)});
-        item->setData(0, Qt::UserRole, each.name);
-        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        const QString time = Formatter::utc(each.changed).left(minutes_end).replace('T', ' ');
+        auto* item = new QTreeWidgetItem(
+            list_, {each.name, Formatter::bytes(each.bytes), each.written ? tr("being written") : time});
+        item->setData(NameColumn, Qt::UserRole, each.name);
+        item->setToolTip(NameColumn, each.name);
+        item->setTextAlignment(SizeColumn, Qt::AlignRight | Qt::AlignVCenter);
+        item->setSizeHint(NameColumn, {0, UiMetrics(font()).pixels(24.0)});  // as high as rows of tracks
         if (each.name == before) list_->setCurrentItem(item);
     }
 }
@@ -131,10 +148,13 @@ void RecordingsWindow::showFetch(const std::optional<RecordingCopy>& fetched) {
     if (fetched->whole) return told_->setText(tr("Whole: %1").arg(fetched->path));
     constexpr int steps = 1'000;
     bar_->setRange(0, steps);
-    bar_->setValue(static_cast<int>(steps * fetched->rows / std::max<qint64>(fetched->there, 1)));
-    told_->setText(tr("%1: %2 of %3 rows, %4 came")
-                       .arg(fetched->name, Formatter::count(static_cast<std::uint64_t>(fetched->rows)),
-                            Formatter::count(static_cast<std::uint64_t>(fetched->there)), Formatter::bytes(fetched->bytes)));
+    const double share = static_cast<double>(fetched->rows) / static_cast<double>(std::max<qint64>(fetched->there, 1));
+    bar_->setValue(static_cast<int>(steps * share));
+    told_->setText(tr("%1: %2 %, %3 of %4 rows, %5 came")
+                       .arg(fetched->name, Formatter::number(100.0 * share, 0),
+                            Formatter::count(static_cast<std::uint64_t>(fetched->rows)),
+                            Formatter::count(static_cast<std::uint64_t>(fetched->there)),
+                            Formatter::bytes(fetched->bytes)));
 }
 
 QString RecordingsWindow::progress() const { return told_->text(); }
