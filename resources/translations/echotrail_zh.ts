@@ -260,6 +260,10 @@
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
+    <message>
+        <source>until lost, %1 of %2 without an echo</source>
+        <translation>丢失前 %1/%2 次无回波</translation>
+    </message>
 </context>
 <context>
     <name>TrackStrips</name>

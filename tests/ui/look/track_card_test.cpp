@@ -141,6 +141,8 @@ TEST(TrackReasons, SayWhyTheLastLooksUsedNoEcho) {
     track.misses = 4;
     track.history.back() = look(false, NoEcho::OutsideSector);
     EXPECT_TRUE(TrackReasons::ofState(track, test::scene_time, {}).endsWith("the sector leaves it out"));
+    EXPECT_TRUE(TrackReasons::ofLastLooks(track).startsWith("until lost, 3 of 5 without an echo: "));
+    track.state = TrackState::Confirmed;
 
     track.history.assign(TrackReasons::last_looks, seen);
     track.history.front() = merged;

@@ -104,7 +104,11 @@ QString TrackReasons::ofLastLooks(const Track& track) {
         if (!track.history[i].seen) ++misses[static_cast<std::size_t>(track.history[i].no_echo)];
     const int missed = std::accumulate(misses.begin(), misses.end(), 0);
     if (missed == 0) return tr("%1 of %1 with an echo").arg(looks);
-    const QString share = tr("%1 of %2 without an echo").arg(missed).arg(looks);
+    // A lost track's history ends with the loss: "State" goes on to count the looks that search for it.
+    const QString share =
+        (track.state == TrackState::Lost ? tr("until lost, %1 of %2 without an echo") : tr("%1 of %2 without an echo"))
+            .arg(missed)
+            .arg(looks);
     if (missed == misses[static_cast<std::size_t>(NoEcho::None)]) return share;  // a tracker that does not tell
     QStringList causes;
     for (std::size_t cause = 0; cause < misses.size(); ++cause) {
