@@ -1,8 +1,10 @@
 #include "tests/ui/look/sample_scene.hpp"
 #include "ui/style/palette.hpp"
+#include "ui/views/echo_painter.hpp"
 #include "ui/views/fan_view.hpp"
 
 #include <benchmark/benchmark.h>
+#include <opencv2/imgproc.hpp>
 
 #include <QApplication>
 #include <QImage>
@@ -78,6 +80,63 @@ void BM_BusyFanFrameOfANewScene(benchmark::State& state) {
     for (int i = 0; i < scene_count; ++i) scenes.push_back(test::shared(busyScene(between_scenes_s * i)));
     paintFan(state, scenes);
 }
+
+/// The echoes of a vehicle that has turned, so that rows of the screen are no rows of the fan.
+FanGeometry turnedGeometry(const Scene& scene) {
+    Pose pose;
+    pose.heading = Bearing::degrees(20.0);
+    return fitted(pose, pose.heading, sectorOf(scene), QRectF(QPointF(), view_px), {});
+}
+
+/// Levels interpolated and coloured by the console's own walk through the fan.
+void BM_ColourEchoes(benchmark::State& state) {
+    const Scene scene = busyScene(0.0);
+    const BeamAges ages = beamAges(scene, sectorOf(scene));
+    const FanGeometry geometry = turnedGeometry(scene);
+    EchoPainter painter;
+    std::uint64_t serial = 0;
+    for (auto each : state)
+        painter.image(scene.fan, ++serial, ages, geometry, {}, Theme::Dusk, QRect(QPoint(), view_px), 1.0);
+}
+
+/// The same by OpenCV: steps of age are found once per pixel of the fan, levels and steps are warped, then coloured.
+void BM_ColourEchoesByWarpAffine(benchmark::State& state) {
+    constexpr int fade_steps = 32;
+    const Scene scene = busyScene(0.0);
+    const BeamAges ages = beamAges(scene, sectorOf(scene));
+    const FanGeometry geometry = turnedGeometry(scene);
+    const auto fanPoint = [&](double x, double y) {
+        const Eigen::Vector2d place = geometry.toLocal({x + 0.5, y + 0.5});
+        return cv::Point2d(scene.fan.columnOf(place.y()), scene.fan.rowOf(place.x()));
+    };
+    const cv::Point2d origin = fanPoint(0, 0);
+    const cv::Point2d along_x = fanPoint(1, 0) - origin;
+    const cv::Point2d along_y = fanPoint(0, 1) - origin;
+    const cv::Matx23d map(along_x.x, along_y.x, origin.x, along_x.y, along_y.y, origin.y);
+    std::vector<QRgb> table((fade_steps + 1) * 256, qRgb(1, 2, 3));
+    const double scale = (fade_steps - 1) / (1000.0 * ages.oldest_s);
+    const cv::Size size(view_px.width(), view_px.height());
+    cv::Mat steps;
+    cv::Mat warped_steps;
+    cv::Mat levels;
+    QImage image(view_px, QImage::Format_RGB32);
+    for (auto each : state) {
+        scene.fan.beam_time_ms.convertTo(steps, CV_8U, -scale, ages.newest_ms * scale);
+        cv::min(steps, fade_steps - 1, steps);
+        steps.setTo(fade_steps, scene.fan.beam_time_ms == FanImage::never_scanned);
+        cv::warpAffine(scene.fan.levels, levels, map, size, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
+        cv::warpAffine(steps, warped_steps, map, size, cv::INTER_NEAREST | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT,
+                       cv::Scalar(fade_steps));
+        for (int y = 0; y < size.height; ++y) {
+            const auto* level = levels.ptr<std::uint8_t>(y);
+            const auto* step = warped_steps.ptr<std::uint8_t>(y);
+            auto* pixel = reinterpret_cast<QRgb*>(image.scanLine(y));
+            for (int x = 0; x < size.width; ++x) pixel[x] = table[step[x] * 256U + level[x]];
+        }
+    }
+}
+BENCHMARK(BM_ColourEchoes)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(BM_ColourEchoesByWarpAffine)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 BENCHMARK(BM_EmptyFanFrame)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 BENCHMARK(BM_BusyFanFrame)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 BENCHMARK(BM_BusyFanFrameOfANewScene)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
