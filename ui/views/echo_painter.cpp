@@ -5,7 +5,11 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace echotrail {
 namespace {
@@ -51,17 +55,104 @@ struct RowPart {
     }
 };
 
-/// Interpolated between the four pixels about a place that is not on the last row or column. Its level, 0…255.
-int levelAt(const std::uint8_t* levels, int stride, std::int32_t column, std::int32_t row) {
-    constexpr int whole = 256;
-    const auto* above = levels + (row >> place_bits) * stride + (column >> place_bits);
-    const auto* below = above + stride;
-    const int right = (column >> (place_bits - 8)) & (whole - 1);
-    const int lower = (row >> (place_bits - 8)) & (whole - 1);
-    const int on_top = above[0] * (whole - right) + above[1] * right;
-    const int beneath = below[0] * (whole - right) + below[1] * right;
-    return (on_top * (whole - lower) + beneath * lower + whole * whole / 2) / (whole * whole);
-}
+/// A place in the fan, and the way from one pixel of the screen to the next.
+struct Walk {
+    std::int32_t column, row;
+    std::int32_t column_step, row_step;
+
+    Walk(const cv::Matx23d& map, int x, int y)
+        : column(fixedPlace(map(0, 0) * x + map(0, 1) * y + map(0, 2))),
+          row(fixedPlace(map(1, 0) * x + map(1, 1) * y + map(1, 2))),
+          column_step(fixedPlace(map(0, 0))),
+          row_step(fixedPlace(map(1, 0))) {}
+    void advance(int pixels) {
+        column += pixels * column_step;
+        row += pixels * row_step;
+    }
+};
+
+/// Ages in steps of the colour table.
+struct AgeScale {
+    std::int32_t newest_ms;
+    float steps_per_ms;
+    std::int32_t last_step;
+
+    std::int32_t stepOf(std::int32_t time_ms) const {
+        const float steps = static_cast<float>(std::max(newest_ms - time_ms, 0)) * steps_per_ms;
+        const auto step = static_cast<std::int32_t>(std::min(steps, static_cast<float>(last_step)));
+        return time_ms == FanImage::never_scanned ? last_step + 1 : step;
+    }
+};
+
+/// A few pixels of a row, taken through one step after the other: what only calculates comes to vector instructions,
+/// what only fetches to little else.
+class RowBatch {
+public:
+    static constexpr int most = 128;
+
+    RowBatch(const Walk& walk, int count) : walk_(walk), count_(count) {}
+
+    /// When the beam was at the nearest pixels of the fan. Returns whether it was at any of them.
+    bool fetchTimes(const cv::Mat& times) {
+        findPlaces(half_place, static_cast<int>(times.step1()));
+        const auto* from = times.ptr<std::int32_t>();
+        static_assert(FanImage::never_scanned == -1);
+        std::int32_t any = -1;  // all bits, which stay only if each has them all
+        for (int i = 0; i < count_; ++i) {
+            times_[i] = from[places_[i]];
+            any &= times_[i];
+        }
+        return any != FanImage::never_scanned;
+    }
+    /// The levels of the four pixels about each place, which is not on the last row or column.
+    void fetchLevels(const cv::Mat& levels) {
+        const auto stride = static_cast<int>(levels.step1());
+        findPlaces(0, stride);
+        const auto* from = levels.ptr<std::uint8_t>();
+        static_assert(std::endian::native == std::endian::little);
+        for (int i = 0; i < count_; ++i) {
+            std::uint16_t above = 0;
+            std::uint16_t below = 0;
+            std::memcpy(&above, from + places_[i], sizeof(above));
+            std::memcpy(&below, from + places_[i] + stride, sizeof(below));
+            corners_[i] = above | static_cast<std::uint32_t>(below) << 16;
+        }
+    }
+    /// Entries of a colour table of 256 levels per step of age; levels are interpolated.
+    void findColours(const AgeScale& ages) {
+        constexpr std::uint32_t whole = 256;
+        constexpr std::uint32_t left_corners = 0x00FF00FF;  // above in the lower half, below in the upper one
+        for (int i = 0; i < count_; ++i) {
+            const std::uint32_t right = fraction(walk_.column + i * walk_.column_step);
+            const std::uint32_t lower = fraction(walk_.row + i * walk_.row_step);
+            const std::uint32_t both =
+                (corners_[i] & left_corners) * (whole - right) + ((corners_[i] >> 8) & left_corners) * right;
+            const std::uint32_t level =
+                ((both & 0xFFFF) * (whole - lower) + (both >> 16) * lower + whole * whole / 2) / (whole * whole);
+            places_[i] = ages.stepOf(times_[i]) * 256 + static_cast<std::int32_t>(level);
+        }
+    }
+    /// `pixel` is no part of the table.
+    void paint(QRgb* __restrict pixel, const QRgb* table) const {
+        for (int i = 0; i < count_; ++i) pixel[i] = table[places_[i]];
+    }
+
+private:
+    static std::uint32_t fraction(std::int32_t place) {
+        return static_cast<std::uint32_t>(place >> (place_bits - 8)) & 255U;
+    }
+    void findPlaces(std::int32_t rounding, int stride) {
+        for (int i = 0; i < count_; ++i)
+            places_[i] = ((walk_.row + i * walk_.row_step + rounding) >> place_bits) * stride +
+                         ((walk_.column + i * walk_.column_step + rounding) >> place_bits);
+    }
+
+    Walk walk_;
+    int count_;
+    std::array<std::int32_t, most> places_;  ///< first of pixels of the fan, then of colours in the table
+    std::array<std::int32_t, most> times_;
+    std::array<std::uint32_t, most> corners_;
+};
 
 }  // namespace
 
@@ -73,6 +164,7 @@ void EchoPainter::makeColours(const EchoSettings& settings, Theme theme) {
     canvas_ = paletteOf(theme).canvas.rgb();
     const EchoColours& map = echoColours(settings.map, theme);
     const double span_db = std::max(settings.white_db - settings.black_db, 0.1);
+    table_[fade_steps].fill(canvas_);
     for (int step = 0; step < fade_steps; ++step) {
         const double light = 1.0 - std::clamp(settings.fade, 0.0, most_fade) * step / (fade_steps - 1);
         const auto dimmed = [&](int channel) { return static_cast<int>(std::lround(channel * light)); };
@@ -86,36 +178,28 @@ void EchoPainter::makeColours(const EchoSettings& settings, Theme theme) {
 }
 
 void EchoPainter::colour(const FanImage& fan, const cv::Matx23d& map, const BeamAges& ages) {
-    // Ages in fixed point: a step is so many 1/1024 of a millisecond.
-    const double oldest_ms = std::max(1.0, 1000.0 * ages.oldest_s);
-    const auto scale = static_cast<std::int64_t>((fade_steps - 1) * 1024.0 * 1024.0 / oldest_ms);
-    const auto colourOf = [&](std::int32_t time_ms, int level) {
-        const std::int64_t step = (std::max(ages.newest_ms - time_ms, 0) * scale) >> 20;
-        return table_[static_cast<std::size_t>(std::min<std::int64_t>(step, fade_steps - 1))]
-                     [static_cast<std::size_t>(level)];
-    };
-    const auto* levels = fan.levels.ptr<std::uint8_t>();
-    const auto* times = fan.beam_time_ms.ptr<std::int32_t>();
-    const auto levels_stride = static_cast<int>(fan.levels.step1());
-    const auto times_stride = static_cast<int>(fan.beam_time_ms.step1());
+    const AgeScale scale{ages.newest_ms, static_cast<float>((fade_steps - 1) / std::max(1.0, 1000.0 * ages.oldest_s)),
+                         fade_steps - 1};
     constexpr double within = 0.05;  // of a pixel: more than steps in fixed point add up to
-    image_.fill(canvas_);
     for (int y = 0; y < image_.height(); ++y) {
-        const double first_column = map(0, 1) * y + map(0, 2);
-        const double first_row = map(1, 1) * y + map(1, 2);
         RowPart part{0, image_.width()};
-        part.keep(first_column - within, map(0, 0), fan.levels.cols - 1 - 2.0 * within);
-        part.keep(first_row - within, map(1, 0), fan.levels.rows - 1 - 2.0 * within);
+        part.keep(map(0, 1) * y + map(0, 2) - within, map(0, 0), fan.levels.cols - 1 - 2.0 * within);
+        part.keep(map(1, 1) * y + map(1, 2) - within, map(1, 0), fan.levels.rows - 1 - 2.0 * within);
         auto* pixel = reinterpret_cast<QRgb*>(image_.scanLine(y));
-        std::int32_t column = fixedPlace(first_column + map(0, 0) * part.from);
-        std::int32_t row = fixedPlace(first_row + map(1, 0) * part.from);
-        const std::int32_t column_step = fixedPlace(map(0, 0));
-        const std::int32_t row_step = fixedPlace(map(1, 0));
-        for (int x = part.from; x < part.to; ++x, column += column_step, row += row_step) {
-            const std::int32_t time_ms =
-                times[((row + half_place) >> place_bits) * times_stride + ((column + half_place) >> place_bits)];
-            if (time_ms != FanImage::never_scanned)
-                pixel[x] = colourOf(time_ms, levelAt(levels, levels_stride, column, row));
+        std::fill(pixel, pixel + part.from, canvas_);
+        std::fill(pixel + part.to, pixel + image_.width(), canvas_);
+        Walk walk(map, part.from, y);
+        for (int x = part.from; x < part.to; x += RowBatch::most) {
+            const int count = std::min(RowBatch::most, part.to - x);
+            RowBatch batch(walk, count);
+            walk.advance(count);
+            if (!batch.fetchTimes(fan.beam_time_ms)) {
+                std::fill(pixel + x, pixel + x + count, canvas_);
+                continue;
+            }
+            batch.fetchLevels(fan.levels);
+            batch.findColours(scale);
+            batch.paint(pixel + x, table_.front().data());
         }
     }
 }

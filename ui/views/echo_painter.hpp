@@ -44,7 +44,7 @@ private:
     EchoSettings table_settings_;
     Theme table_theme_ = Theme::Dusk;
     bool has_table_ = false;
-    std::array<std::array<QRgb, 256>, fade_steps> table_{};  ///< by age, then level
+    std::array<std::array<QRgb, 256>, fade_steps + 1> table_{};  ///< by age, then level; the last: never scanned
     QRgb canvas_ = 0;
     cv::Mat times_;  ///< of trails
     QImage image_;
