@@ -7,15 +7,18 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 namespace echotrail {
 namespace {
 
 /// Pixels are worked on in squares of this side: what is between the lines of a large shape costs nothing.
 constexpr int tile_px = 32;
+/// In a row as many are worked on at once, without branches: vector instructions do it.
+constexpr int group_px = 8;
 constexpr float nearest = 255.0F;  ///< on the middle of a line
 constexpr float least_slope = 1e-4F;
+constexpr float far = 1e9F;    ///< no end lies there
+constexpr float steep = 1e9F;  ///< any coverage times this is more than ink reaches
 
 /// How near a pixel lies to a line, as it is kept: 0 is as far as ink reaches, or farther.
 struct Nearness {
@@ -25,13 +28,12 @@ struct Nearness {
     explicit Nearness(const StrokeInk& ink)
         : line_half(static_cast<float>(ink.line_half)),
           reach(static_cast<float>(std::max(ink.line_half, ink.halo_half)) + 0.5F) {}
-    std::uint8_t at(float away) const {
-        return static_cast<std::uint8_t>(std::max(0.0F, reach - away) * (nearest / reach) + 0.5F);
-    }
-    /// Where only this part of the line's coverage is meant.
-    std::uint8_t at(float away, float part) const {
-        const float covered = std::clamp(line_half + 0.5F - away, 0.0F, 1.0F) * part;
-        return covered > 0.0F ? at(line_half + 0.5F - covered) : std::uint8_t{0};
+    /// Where only `part` of the line is meant, that of what has as much coverage; there is no halo then.
+    std::int32_t at(float away, float part) const {
+        const float covered = std::min(1.0F, std::max(0.0F, line_half + 0.5F - away)) * part;
+        const float as_near = std::min(reach - line_half - 0.5F + covered, covered * steep);
+        const float whole = std::max(0.0F, reach - away);
+        return static_cast<std::int32_t>((part == 1.0F ? whole : as_near) * (nearest / reach) + 0.5F);
     }
 };
 
@@ -44,16 +46,16 @@ public:
         const std::array<float, 3> line{ink.line.redF(), ink.line.greenF(), ink.line.blueF()};
         const std::array<float, 3> halo{ink.halo.redF(), ink.halo.greenF(), ink.halo.blueF()};
         const auto halo_half = static_cast<float>(ink.halo_half);
-        for (std::size_t i = 1; i < colours_.size(); ++i) {
+        for (int i = 1; i < 256; ++i) {
             const float away = nearness.reach * (1.0F - static_cast<float>(i) / nearest);
             const float over = 255.0F * line_alpha * std::min(1.0F, std::max(0.0F, nearness.line_half + 0.5F - away));
             const float under = halo_alpha * std::min(1.0F, std::max(0.0F, halo_half + 0.5F - away)) * (255.0F - over);
             const auto mixed = [&](float a, float b) { return static_cast<int>(a * over + b * under + 0.5F); };
-            colours_[i] =
+            colours_[static_cast<std::size_t>(i)] =
                 qRgba(mixed(line[0], halo[0]), mixed(line[1], halo[1]), mixed(line[2], halo[2]), mixed(1.0F, 1.0F));
         }
     }
-    QRgb operator[](std::uint8_t nearness) const { return colours_[nearness]; }
+    QRgb operator[](std::int32_t nearness) const { return colours_[static_cast<std::size_t>(nearness)]; }
 
 private:
     std::array<QRgb, 256> colours_{};
@@ -64,28 +66,29 @@ struct Leg {
     float x, y;    ///< where it begins
     float ux, uy;  ///< its direction
     float length;
-    float begin, end;              ///< along it, what it covers
-    float whole_begin, whole_end;  ///< and covers wholly
+    float begin;                     ///< along it; a joint is covered by the leg before it
+    float round_begin, round_end;    ///< where its ends are rounded off
+    float square_begin, square_end;  ///< and where they are cut off
+    float square_until;              ///< nearer to a rounded end the cut of the beginning does not show
     float opacity;
-    bool goes_on_after;
     float left, right, top, bottom;  ///< of its box, as far as ink reaches
 
     Leg(const StrokeLeg& leg, float reach)
         : x(static_cast<float>(leg.from.x()) - 0.5F),
           y(static_cast<float>(leg.from.y()) - 0.5F),
-          opacity(static_cast<float>(leg.opacity)),
-          goes_on_after(leg.goes_on_after) {
+          opacity(static_cast<float>(leg.opacity)) {
         const auto dx = static_cast<float>(leg.to.x() - leg.from.x());
         const auto dy = static_cast<float>(leg.to.y() - leg.from.y());
         length = std::sqrt(dx * dx + dy * dy);
         ux = length > 0.0F ? dx / length : 1.0F;
         uy = length > 0.0F ? dy / length : 0.0F;
-        // A joint is covered by the leg before it, a dot by its only one.
-        const bool dot = length == 0.0F;
-        begin = dot ? -reach : leg.goes_on_before ? 0.0F : -0.5F;
-        whole_begin = leg.goes_on_before ? 0.0F : 0.5F;
-        end = goes_on_after ? length + reach : length + 0.5F;
-        whole_end = goes_on_after ? length : length - 0.5F;
+        const bool dot = length == 0.0F;  // covered by its only leg
+        begin = leg.goes_on_before && !dot ? 0.0F : -far;
+        round_begin = dot ? 0.0F : -far;
+        round_end = leg.goes_on_after ? length : far;
+        square_begin = leg.goes_on_before ? -far : 0.0F;
+        square_end = leg.goes_on_after ? far : length;
+        square_until = leg.goes_on_after ? 0.5F * length : far;
         left = std::min(x, x + dx) - reach;
         right = std::max(x, x + dx) + reach;
         top = std::min(y, y + dy) - reach;
@@ -105,7 +108,10 @@ public:
     QRect ink(QImage& picture, const InkTable& table) const;
 
 private:
-    using Row = std::array<std::uint8_t, tile_px>;
+    using Row = std::array<std::int32_t, tile_px>;
+
+    /// Adds to the pixels of a group, the first of which lies so far from the leg's beginning.
+    static void addGroup(Row::iterator pixels, Leg leg, Nearness nearness, float aside, float down);
 
     float x_, y_;
     int left_ = tile_px, right_ = -1, top_ = tile_px, bottom_ = -1;  ///< of what was added
@@ -115,47 +121,43 @@ private:
 void Tile::add(const Leg& leg, const Nearness& nearness) {
     const float x0 = leg.x - x_;
     const float y0 = leg.y - y_;
-    const float per_across = std::abs(leg.uy) > least_slope ? 1.0F / leg.uy : 0.0F;
-    const float per_along = std::abs(leg.ux) > least_slope ? 1.0F / leg.ux : 0.0F;
+    // The part of a row within reach of the leg's line, whose ends lie within the leg's box.
+    const bool level = std::abs(leg.uy) <= least_slope;
+    const float right_per_row = level ? 0.0F : leg.ux / leg.uy;
+    const float half = level ? far : nearness.reach / std::abs(leg.uy);
+    const float box_left = std::max(0.0F, leg.left - x_);
+    const float box_right = std::min(tile_px - 1.0F, leg.right - x_);
     const int top = std::max(0, static_cast<int>(std::ceil(leg.top - y_)));
     const int bottom = std::min(tile_px - 1, static_cast<int>(std::floor(leg.bottom - y_)));
     for (int y = top; y <= bottom; ++y) {
         const float down = static_cast<float>(y) - y0;
-        float from = leg.left - x_;
-        float to = leg.right - x_;
-        const auto keep = [&](float a, float b) {
-            from = std::max(from, std::min(a, b));
-            to = std::min(to, std::max(a, b));
-        };
-        if (per_across != 0.0F)
-            keep(x0 + (down * leg.ux - nearness.reach) * per_across,
-                 x0 + (down * leg.ux + nearness.reach) * per_across);
-        if (per_along != 0.0F)
-            keep(x0 + (leg.begin - down * leg.uy) * per_along, x0 + (leg.end - down * leg.uy) * per_along);
-        const int left = from > 0.0F ? static_cast<int>(std::ceil(from)) : 0;
-        const int right = to < tile_px - 1 ? static_cast<int>(std::floor(to)) : tile_px - 1;
-        if (left > right) continue;
+        const float middle = x0 + down * right_per_row;
+        const float from = std::max(box_left, middle - half);
+        const float to = std::min(box_right, middle + half);
+        if (from > to) continue;
+        const int left = static_cast<int>(from);
+        const int right = static_cast<int>(to);
         left_ = std::min(left_, left);
         right_ = std::max(right_, right);
         top_ = std::min(top_, y);
         bottom_ = std::max(bottom_, y);
-        Row& row = rows_[static_cast<std::size_t>(y)];
-        for (int x = left; x <= right; ++x) {
-            const float aside = static_cast<float>(x) - x0;
-            const float along = aside * leg.ux + down * leg.uy;
-            const float away = std::abs(down * leg.ux - aside * leg.uy);
-            std::uint8_t& pixel = row[static_cast<std::size_t>(x)];
-            const float beyond = std::max(-along, along - leg.length);
-            float distance = away;
-            float part = leg.opacity;
-            if (along < leg.whole_begin || along > leg.whole_end) {
-                if (leg.length == 0.0F || (leg.goes_on_after && beyond == along - leg.length))
-                    distance = std::sqrt(away * away + beyond * beyond);
-                else
-                    part *= std::clamp(0.5F - beyond, 0.0F, 1.0F);
-            }
-            pixel = std::max(pixel, part == 1.0F ? nearness.at(distance) : nearness.at(distance, part));
-        }
+        const auto row = rows_[static_cast<std::size_t>(y)].begin();
+        for (int x = left - left % group_px; x <= right; x += group_px)
+            addGroup(row + x, leg, nearness, static_cast<float>(x) - x0, down);
+    }
+}
+
+void Tile::addGroup(Row::iterator pixels, Leg leg, Nearness nearness, float aside, float down) {
+    for (int i = 0; i < group_px; ++i) {
+        const float right = aside + static_cast<float>(i);
+        const float along = right * leg.ux + down * leg.uy;
+        const float away = std::abs(down * leg.ux - right * leg.uy);
+        const float beyond = std::max(leg.round_begin - along, std::max(0.0F, along - leg.round_end));
+        const float distance = std::sqrt(away * away + beyond * beyond);
+        const float before = along < leg.square_until ? leg.square_begin - along : -far;
+        const float cut = std::max(before, along - leg.square_end);
+        const float part = leg.opacity * std::min(1.0F, std::max(0.0F, 0.5F - cut));
+        pixels[i] = std::max(pixels[i], nearness.at(distance, along >= leg.begin ? part : 0.0F));
     }
 }
 
@@ -165,14 +167,7 @@ QRect Tile::ink(QImage& picture, const InkTable& table) const {
     for (int y = top_; y <= bottom_; ++y) {
         QRgb* const line = pixels + y * stride;
         const Row& row = rows_[static_cast<std::size_t>(y)];
-        std::fill(line + left_, line + right_ + 1, 0U);
-        for (std::size_t x = 0; x < tile_px; x += sizeof(std::uint64_t)) {
-            std::uint64_t several = 0;
-            std::memcpy(&several, &row[x], sizeof(several));
-            if (several == 0) continue;
-            for (std::size_t i = x; i < x + sizeof(several); ++i)
-                if (row[i] > 0) line[i] = table[row[i]];
-        }
+        for (int x = left_; x <= right_; ++x) line[x] = table[row[static_cast<std::size_t>(x)]];
     }
     return {QPoint(left_, top_), QPoint(right_, bottom_)};
 }
