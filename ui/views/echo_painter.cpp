@@ -111,26 +111,30 @@ public:
         const auto* from = levels.ptr<std::uint8_t>();
         static_assert(std::endian::native == std::endian::little);
         for (int i = 0; i < count_; ++i) {
-            std::uint16_t above = 0;
-            std::uint16_t below = 0;
-            std::memcpy(&above, from + places_[i], sizeof(above));
-            std::memcpy(&below, from + places_[i] + stride, sizeof(below));
-            corners_[i] = above | static_cast<std::uint32_t>(below) << 16;
+            std::memcpy(&above_[i], from + places_[i], sizeof(above_[i]));
+            std::memcpy(&below_[i], from + places_[i] + stride, sizeof(below_[i]));
         }
     }
-    /// Entries of a colour table of 256 levels per step of age; levels are interpolated.
-    void findColours(const AgeScale& ages) {
-        constexpr std::uint32_t whole = 256;
-        constexpr std::uint32_t left_corners = 0x00FF00FF;  // above in the lower half, below in the upper one
-        for (int i = 0; i < count_; ++i) {
-            const std::uint32_t right = fraction(walk_.column + i * walk_.column_step);
-            const std::uint32_t lower = fraction(walk_.row + i * walk_.row_step);
-            const std::uint32_t both =
-                (corners_[i] & left_corners) * (whole - right) + ((corners_[i] >> 8) & left_corners) * right;
-            const std::uint32_t level =
-                ((both & 0xFFFF) * (whole - lower) + (both >> 16) * lower + whole * whole / 2) / (whole * whole);
-            places_[i] = ages.stepOf(times_[i]) * 256 + static_cast<std::int32_t>(level);
+    /// Interpolates between the four, in 16 bits: those are multiplied at once on any processor.
+    void findLevels() {
+        const auto between = [](int first, int second, int share) {
+            return static_cast<std::uint16_t>(first * (256 - share) + second * share + 128) >> 8;
+        };
+        const auto column = static_cast<std::uint16_t>(walk_.column);
+        const auto row = static_cast<std::uint16_t>(walk_.row);
+        const auto column_step = static_cast<std::uint16_t>(walk_.column_step);
+        const auto row_step = static_cast<std::uint16_t>(walk_.row_step);
+        for (std::uint16_t i = 0; i < count_; ++i) {
+            const int right = static_cast<std::uint16_t>(column + i * column_step) >> 8;
+            const int lower = static_cast<std::uint16_t>(row + i * row_step) >> 8;
+            const int above = between(above_[i] & 255, above_[i] >> 8, right);
+            const int below = between(below_[i] & 255, below_[i] >> 8, right);
+            levels_[i] = static_cast<std::uint16_t>(between(above, below, lower));
         }
+    }
+    /// Entries of a colour table of 256 levels per step of age.
+    void findColours(const AgeScale& ages) {
+        for (int i = 0; i < count_; ++i) places_[i] = ages.stepOf(times_[i]) * 256 + levels_[i];
     }
     /// `pixel` is no part of the table.
     void paint(QRgb* __restrict pixel, const QRgb* table) const {
@@ -138,9 +142,6 @@ public:
     }
 
 private:
-    static std::uint32_t fraction(std::int32_t place) {
-        return static_cast<std::uint32_t>(place >> (place_bits - 8)) & 255U;
-    }
     void findPlaces(std::int32_t rounding, int stride) {
         for (int i = 0; i < count_; ++i)
             places_[i] = ((walk_.row + i * walk_.row_step + rounding) >> place_bits) * stride +
@@ -151,7 +152,9 @@ private:
     int count_;
     std::array<std::int32_t, most> places_;  ///< first of pixels of the fan, then of colours in the table
     std::array<std::int32_t, most> times_;
-    std::array<std::uint32_t, most> corners_;
+    std::array<std::uint16_t, most> above_;  ///< two levels each, the left one first
+    std::array<std::uint16_t, most> below_;
+    std::array<std::uint16_t, most> levels_;
 };
 
 }  // namespace
@@ -198,6 +201,7 @@ void EchoPainter::colour(const FanImage& fan, const cv::Matx23d& map, const Beam
                 continue;
             }
             batch.fetchLevels(fan.levels);
+            batch.findLevels();
             batch.findColours(scale);
             batch.paint(pixel + x, table_.front().data());
         }
