@@ -42,6 +42,7 @@ TrackerState trackerState(const TrackerLinkState& state) {
     tracker.name = QString::fromStdString(client.welcome.tracker.name);
     if (client.latency) tracker.latency_s = std::chrono::duration<double>(*client.latency).count();
     if (client.round_trip) tracker.round_trip_s = std::chrono::duration<double>(*client.round_trip).count();
+    tracker.messages = client.messages;
     tracker.gaps = client.gaps;
     tracker.holds_control = client.holdsControl();
     tracker.holder = QString::fromStdString(client.control.holder_name);

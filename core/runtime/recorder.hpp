@@ -62,7 +62,7 @@ private:
     std::unique_ptr<LogWriter> log_;
     BoundedQueue<Row> queue_;
     std::uint64_t uncommitted_ = 0;  ///< rows since the last commit; the writing thread's own
-    mutable std::mutex mutex_;  ///< of status_
+    mutable std::mutex mutex_;       ///< of status_
     RecorderStatus status_;
     std::jthread thread_;  // last, so that it ends before what it uses
 };

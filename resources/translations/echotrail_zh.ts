@@ -2847,10 +2847,6 @@ is taken to lie still, bow north</source>
         <translation>ping/s</translation>
     </message>
     <message>
-        <source>Age of the tracker&apos;s last message, and how old an echo is when it is here</source>
-        <translation>跟踪器最后消息的龄，以及回波到达时的龄</translation>
-    </message>
-    <message>
         <source>; trying again</source>
         <translation>；正在重试</translation>
     </message>
@@ -2933,6 +2929,15 @@ is taken to lie still, bow north</source>
     <message>
         <source>no copy here: %1</source>
         <translation>本机无副本：%1</translation>
+    </message>
+    <message>
+        <source>Age of the tracker&apos;s last message, how old an echo is when it is here, and what share of the messages is lost</source>
+        <translation>跟踪器最后一条消息的龄、回波到达本机时的龄，以及消息丢失的比例</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <comment>a share</comment>
+        <translation>丢失 %1</translation>
     </message>
 </context>
 <context>

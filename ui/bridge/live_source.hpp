@@ -59,6 +59,7 @@ struct TrackerState {
     std::optional<double> latency_s;       ///< of the last echo line, from its transmission to this console
     std::optional<double> round_trip_s;    ///< of the link
     double report_age_s = 0.0;             ///< of what it last said of head, navigation and log, once a second
+    quint64 messages = 0;                  ///< that came
     quint64 gaps = 0;                      ///< messages that did not come
     bool holds_control = false;            ///< this console does
     bool asks_control = false;             ///< this console does

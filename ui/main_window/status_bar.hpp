@@ -65,6 +65,7 @@ private:
     void showHeading(const LiveState& state, double longest_gap_s);
     void showRecording(const RecorderStatus& recorder, const std::optional<RecordingCopy>& copy);
     double pingRate(const LiveState& state);
+    double lossOf(const TrackerState& tracker);
 
     Mode mode_ = Mode::Nothing;
     TrackNames names_;
@@ -80,6 +81,8 @@ private:
     std::optional<Timestamp> rate_since_;
     std::uint64_t rate_pings_ = 0;  ///< there were then
     double rate_ = 0.0;
+    quint64 loss_counted_ = 0, loss_gaps_ = 0;  ///< messages and gaps, and gaps, there were when loss was last told
+    double loss_ = 0.0;
     StatusChip* pings_ = nullptr;
     StatusChip* track_ = nullptr;
     StatusChip* alerts_ = nullptr;

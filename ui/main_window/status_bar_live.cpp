@@ -12,6 +12,8 @@ using Health = StatusChip::Health;
 
 constexpr double old_bytes_s = 2.0;  ///< a head that scans or waits says something every second
 constexpr double rate_interval_s = 2.0;
+constexpr quint64 loss_interval = 50;  ///< messages: of fewer the share would jump about
+constexpr double least_loss = 0.005;   ///< less would be shown as none
 
 /// What is wrong with the copy of the run aboard; nothing where it is as it should be.
 QString copyText(const RecordingCopy& copy) {
@@ -62,14 +64,18 @@ void StatusBar::showTracker(const std::optional<TrackerState>& tracker) {
     const bool fresh = tracker->link.age_s && *tracker->link.age_s < old_bytes_s;
     QStringList detail{ageText(tracker->link.age_s)};
     if (fresh && tracker->latency_s) detail << Formatter::withUnit(1e3 * *tracker->latency_s, 0, "ms");
+    if (const double loss = lossOf(*tracker); fresh && loss >= least_loss)
+        detail << tr("%1 lost", "a share").arg(Formatter::withUnit(100.0 * loss, 0, "%"));
     tracker_->show(tracker->link.up && fresh ? Health::Good : Health::Degraded,
                    !tracker->link.up ? tr("down")
                    : fresh           ? tr("up")
                                      : tr("quiet"),
                    detail.join("  "));
-    QStringList about{tracker->link.reason.isEmpty()
-                          ? tr("Age of the tracker's last message, and how old an echo is when it is here")
-                          : tracker->link.reason + tr("; trying again")};
+    QStringList about{
+        tracker->link.reason.isEmpty()
+            ? tr("Age of the tracker's last message, how old an echo is when it is here, and what share of the "
+                 "messages is lost")
+            : tracker->link.reason + tr("; trying again")};
     if (!tracker->name.isEmpty()) about << tracker->name;
     if (tracker->round_trip_s)
         about << tr("there and back: %1").arg(Formatter::withUnit(1e3 * *tracker->round_trip_s, 0, "ms"));
@@ -86,6 +92,18 @@ void StatusBar::showTracker(const std::optional<TrackerState>& tracker) {
                    : yours                    ? QString()
                                               : tracker->holder);
     control_->setToolTip(tr("Who commands the tracker; ask for it, give it or keep it in the menu Sonar"));
+}
+
+/// The share of the last messages that did not come.
+double StatusBar::lossOf(const TrackerState& tracker) {
+    const quint64 all = tracker.messages + tracker.gaps;
+    const bool anew = all < loss_counted_ || tracker.gaps < loss_gaps_;
+    if (anew) loss_ = 0.0;
+    if (!anew && all - loss_counted_ < loss_interval) return loss_;
+    if (!anew) loss_ = static_cast<double>(tracker.gaps - loss_gaps_) / static_cast<double>(all - loss_counted_);
+    loss_counted_ = all;
+    loss_gaps_ = tracker.gaps;
+    return loss_;
 }
 
 /// Over two seconds of the pings' own time: single lines come too unevenly to be read. Unknown before that.

@@ -293,6 +293,26 @@ TEST(MainWindow, MarksAndZonesComeBackWithTheirRecording) {
     QSettings().clear();
 }
 
+TEST(StatusBar, TellsTheShareOfTheTrackersLastMessagesThatWereLost) {
+    StatusBar bar;
+    LiveState state;
+    state.tracker.emplace();
+    state.tracker->link = {true, {}, 0.2};
+    const auto tracker_chip = [&](quint64 messages, quint64 gaps) {
+        state.tracker->messages = messages;
+        state.tracker->gaps = gaps;
+        bar.showLive(state, 1.0);
+        for (const auto* chip : bar.findChildren<StatusChip*>())
+            if (chip->accessibleName().startsWith("TRACKER ")) return chip->accessibleName();
+        return QString();
+    };
+    EXPECT_FALSE(tracker_chip(100, 0).contains("lost"));
+    EXPECT_TRUE(tracker_chip(180, 20).contains("20 % lost")) << tracker_chip(180, 20).toStdString();
+    EXPECT_TRUE(tracker_chip(181, 20).contains("20 % lost")) << "one message more says nothing yet";
+    EXPECT_FALSE(tracker_chip(300, 20).contains("lost")) << "of the last ones";
+    EXPECT_FALSE(tracker_chip(5, 0).contains("lost")) << "another link";
+}
+
 TEST(StatusChip, ShowsAsManyWholePartsOfItsDetailAsThereIsRoomFor) {
     const auto picture = [](const QString& detail, int room) {
         StatusChip chip;
