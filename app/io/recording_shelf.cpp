@@ -60,18 +60,27 @@ void RecordingShelf::add(const std::string& path, std::vector<LinkRecordingEntry
     entries.push_back(std::move(entry));
 }
 
-std::vector<LinkRecordingEntry> RecordingShelf::list() {
-    paths_.clear();
-    std::vector<LinkRecordingEntry> entries;
-    if (!written_.empty()) add(written_, entries);
+/// A name that is on the shelf already stands for what was there first.
+void RecordingShelf::addFolder(const std::string& folder, std::vector<LinkRecordingEntry>& entries) {
     std::error_code failure;
-    for (fs::directory_iterator entry(folder_, failure), end; !failure && entry != end; entry.increment(failure)) {
+    for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
         std::error_code unknown;
         const std::string path = entry->path().string();
         // A link would lead elsewhere.
         if (!fs::is_regular_file(entry->symlink_status(unknown)) || !path.ends_with(log_format::suffix)) continue;
         if (firstPartOf(path) == path) add(path, entries);
     }
+}
+
+std::vector<LinkRecordingEntry> RecordingShelf::list() {
+    paths_.clear();
+    std::vector<LinkRecordingEntry> entries;
+    if (!written_.empty()) {
+        add(written_, entries);
+        const fs::path beside = fs::path(written_).parent_path();
+        addFolder(beside.empty() ? "." : beside.string(), entries);
+    }
+    addFolder(folder_, entries);
     std::sort(entries.begin(), entries.end(), [](const LinkRecordingEntry& a, const LinkRecordingEntry& b) {
         return std::pair(a.written, a.changed) > std::pair(b.written, b.changed);
     });

@@ -14,10 +14,11 @@ namespace echotrail {
 /// Threads: none; one owner calls it.
 class RecordingShelf {
 public:
-    /// `written`: path of the log that this program writes; empty: none.
+    /// `written`: path of the log that this program writes; empty: none. What lies in its folder is on the shelf, too:
+    /// a run that was cut off there is to be had when the next one is written beside it.
     RecordingShelf(std::string folder, std::string written);
 
-    /// The newest first, as the folder is now.
+    /// The newest first, as the folders are now.
     std::vector<LinkRecordingEntry> list();
     Result<LinkRecordAnswer> answer(const LinkRecordRequest& request);
 
@@ -28,6 +29,7 @@ private:
     };
     Result<Place> find(const std::string& name) const;
     void add(const std::string& path, std::vector<LinkRecordingEntry>& entries);
+    void addFolder(const std::string& folder, std::vector<LinkRecordingEntry>& entries);
 
     std::string folder_, written_;
     std::map<std::string, std::string> paths_;  ///< by name, as last listed

@@ -10,6 +10,7 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -177,6 +178,19 @@ TEST_F(KeptRecordings, TheCopyOfARunThatHasEndedIsMadeWholeWhenTheTrackerIsBack)
     link.reset();
     EXPECT_EQ(hashesOf(first, LogUse::Resting), hashesOf(aboard("run1.echotrail"), LogUse::Resting));
     EXPECT_FALSE(LogReader::open(first).value()->summary().empty()) << "its last word";
+}
+
+TEST_F(KeptRecordings, WhatLiesBesideTheRunThatIsWrittenIsOnTheShelfToo) {
+    QTemporaryDir usual, chosen;
+    const auto in = [](const QTemporaryDir& folder, const char* name) { return folder.filePath(name).toStdString(); };
+    for (const std::string& path : {in(usual, "before.echotrail"), in(chosen, "run1.echotrail"),
+                                    in(chosen, "run2.echotrail"), in(usual, "run1.echotrail")})
+        ASSERT_TRUE(LogWriter::create(path, headerOf(1)).value()->close());
+    RecordingShelf shelf(usual.path().toStdString(), in(chosen, "run2.echotrail"));
+    std::vector<std::string> names;
+    for (const auto& entry : shelf.list()) names.push_back(entry.name);
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names, (std::vector<std::string>{"before.echotrail", "run1.echotrail", "run2.echotrail"}));
 }
 
 TEST_F(KeptRecordings, ARecordingIsFetchedByItsNameInTheListAndByNothingElse) {
