@@ -32,13 +32,14 @@ using test::await;
 class FirstWalk : public testing::Test {
 protected:
     FirstWalk() {
+        before_ = qgetenv("XDG_DATA_HOME");
         qputenv("XDG_DATA_HOME", folder_.path().toUtf8());
         window_.resize(1600, 1000);
         window_.show();
         EXPECT_TRUE(QTest::qWaitForWindowActive(&window_));
         window_.alerts().setSound({});
     }
-    ~FirstWalk() override { qunsetenv("XDG_DATA_HOME"); }
+    ~FirstWalk() override { qputenv("XDG_DATA_HOME", before_); }
 
     FanView& fan() { return window_.fan(); }
     const Scene& scene() { return *window_.bridge().scene(); }
@@ -73,6 +74,7 @@ protected:
         window_.bridge().poll();
     }
 
+    QByteArray before_;  ///< where data went before
     QTemporaryDir folder_;
     MainWindow window_{{.remember = false, .steady_alerts = true, .live = liveAccess()}};
 };
