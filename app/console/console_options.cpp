@@ -70,7 +70,7 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
     app.add_option(
            "--target", options.target,
            "RANGE_M,BEARING_DEG of the target, in metres and degrees clockwise from the bow, seen from the head "
-           "at the first ping (default: none designated)")
+           "at the first ping, or when a tracker first takes orders from here (default: none designated)")
         ->delimiter(',');
     app.add_flag(
         "--headless", options.headless,
@@ -102,8 +102,9 @@ std::variant<ConsoleOptions, int> readConsoleOptions(int argc, char** argv) {
         ->check(CLI::Range(640, 7680));
     app.add_option("--height", options.height, "Height of the window, px (default: as last time, or 1000)")
         ->check(CLI::Range(480, 4320));
-    app.add_option("--parameters", files, "TOML file of parameters; may be given more than once");
-    app.add_option("--set", assignments, "NAME=VALUE of one parameter; may be given more than once");
+    app.add_option("--parameters", files, "TOML file of parameters; may be given more than once; not with --connect");
+    app.add_option("--set", assignments,
+                   "NAME=VALUE of one parameter; may be given more than once; not with --connect");
     app.add_option("--seed", options.seed, "Seed of the random numbers (default 0)");
     app.add_option("--quit-after", options.quit_after_s, "Close the window after so many seconds")
         ->check(CLI::NonNegativeNumber);

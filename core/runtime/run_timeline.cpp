@@ -11,6 +11,7 @@ namespace echotrail {
 namespace {
 
 constexpr std::chrono::seconds longest_rhythm{2};  ///< between pings, beyond the second that each stands for
+constexpr std::size_t most_looks = 100;            ///< in a second: no tracker follows more
 constexpr std::chrono::hours other_time{24};       ///< a clock that was set by more tells of another run
 
 std::int64_t secondNumber(Timestamp time) {
@@ -71,7 +72,9 @@ void RunTimeline::recallResult(const LogRow& row) {
     if (!look) return;
     const Timestamp time{Microseconds(row.numbers[1])};
     secondOf(time);
-    looks_[secondNumber(time)][look->track] = isFollowed(look->state);
+    auto& looks = looks_[secondNumber(time)];
+    if (looks.size() >= most_looks && !looks.contains(look->track)) return;
+    looks[look->track] = isFollowed(look->state);
     changed_ = true;
 }
 

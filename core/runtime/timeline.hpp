@@ -18,7 +18,8 @@ struct PingSpan {
 
 /// A recording at a glance, for a seek bar. Times are known from the start; the rest up to `analysed`.
 struct Timeline {
-    std::shared_ptr<const std::vector<Timestamp>> ping_times;  ///< of every ping, by index
+    /// Of every ping, by index; while a run lasts, one for every second (RunTimeline).
+    std::shared_ptr<const std::vector<Timestamp>> ping_times;
     std::vector<PingSpan> gaps;               ///< begin: the last ping before a silence; end: the first after it
     std::vector<std::uint64_t> sweep_starts;  ///< indices of pings that began a new sweep
     std::vector<PingSpan> confirmed;          ///< while at least one track was confirmed or coasting
